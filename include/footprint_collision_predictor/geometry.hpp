@@ -1,0 +1,28 @@
+// Plane geometry shared by everything else: vectors and segments.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace footprint_collision_predictor::core {
+
+using Vec2 = Eigen::Vector2d;
+
+/// A straight line from start to end [m]. Both ends belong to it; start == end is the single point.
+struct Segment {
+  Vec2 start;
+  Vec2 end;
+};
+
+/// z component of a x b: positive when b points to the left of a.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// v turned by +90 degrees.
+inline Vec2 leftNormal(const Vec2& v) { return {-v.y(), v.x()}; }
+
+/// The point of the segment nearest to p. The ends are returned exactly, never merely nearly.
+Vec2 closestPoint(const Segment& segment, const Vec2& p);
+
+/// Distance from p to the nearest point of the segment [m].
+double distance(const Segment& segment, const Vec2& p);
+
+}  // namespace footprint_collision_predictor::core

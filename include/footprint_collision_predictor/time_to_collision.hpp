@@ -1,0 +1,42 @@
+// Exact time to collision of one moving circle with one segment that stands still.
+//
+// The guarantee, in metres, since time is ill-conditioned in a graze:
+//  1. Never missed, never late: if the true gap reaches 0 within the horizon, a contact is reported
+//     no later than that moment (+ 1e-9 s, relative for large t).
+//  2. Never invented: at the reported time the gap is <= contactTolerance(), some 1e-14 of the
+//     coordinates relative to the segment.
+//  3. The result does not depend on the origin, the axes, or the direction of the segment.
+#pragma once
+
+#include <optional>
+
+#include "footprint_collision_predictor/motion.hpp"
+
+namespace footprint_collision_predictor::core {
+
+/// Where on the segment the circle touches; on an end, the end is named.
+enum class Feature { kInside, kStart, kEnd };
+
+/// The first moment at which the circle touches the segment.
+struct Contact {
+  double time;      ///< [s] in [0, horizon]; 0 when touching or overlapping at once
+  Feature feature;  ///< which part of the segment is touched
+  Vec2 point;       ///< [m] the point of the segment that is touched; the nearest one in an overlap
+};
+
+/// Earliest t in [0, horizon] at which the distance from the circle's centre to the segment is at
+/// most the radius. Touching is contact, also at t = 0 while separating, and at the horizon itself.
+///
+/// \param segment [m] start == end is a point
+/// \param circle motion of the centre relative to the segment, in the segment's frame
+/// \param radius [m] >= 0
+/// \param horizon [s] >= 0
+/// \return nothing when the circle does not touch within the horizon
+std::optional<Contact> timeToCollision(const Segment& segment, const Motion& circle, double radius,
+                                       double horizon);
+
+/// Gap [m] up to which a circle counts as touching the segment at time t: what rounding can
+/// amount to, in favour of contact, since exact tangency cannot be decided in floating point.
+double contactTolerance(const Segment& segment, const Motion& circle, double radius, double t);
+
+}  // namespace footprint_collision_predictor::core

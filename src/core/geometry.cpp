@@ -1,0 +1,34 @@
+#include "footprint_collision_predictor/geometry.hpp"
+
+#include <cmath>
+
+namespace footprint_collision_predictor::core {
+namespace {
+
+// Both from segment.start, so that nothing is lost far from the origin.
+double nearestFraction(const Vec2& direction, const Vec2& p) {
+  const double along = direction.dot(p);
+  const double length_squared = direction.squaredNorm();
+  if (along <= 0) return 0;
+  return along >= length_squared ? 1 : along / length_squared;
+}
+
+}  // namespace
+
+Vec2 closestPoint(const Segment& segment, const Vec2& p) {
+  const Vec2 direction = segment.end - segment.start;
+  const double fraction = nearestFraction(direction, p - segment.start);
+  if (fraction == 1) return segment.end;
+  return segment.start + fraction * direction;
+}
+
+double distance(const Segment& segment, const Vec2& p) {
+  const Vec2 direction = segment.end - segment.start;
+  const Vec2 from_start = p - segment.start;
+  const double fraction = nearestFraction(direction, from_start);
+  if (fraction == 0) return from_start.norm();
+  if (fraction == 1) return (p - segment.end).norm();
+  return std::abs(cross(direction, from_start)) / direction.norm();
+}
+
+}  // namespace footprint_collision_predictor::core

@@ -1,0 +1,130 @@
+#include "footprint_collision_predictor/predictor.hpp"
+
+#include <algorithm>
+
+namespace footprint_collision_predictor::core {
+namespace {
+
+/// The footprint's nearest segment to a point, and the signed distance to it (negative inside).
+struct Nearest {
+  std::size_t segment;
+  double signed_distance;
+};
+
+Nearest nearestTo(const Vec2& point, const Polygon& footprint) {
+  Nearest nearest{0, distance(footprint.segment(0), point)};
+  for (std::size_t i = 1; i < footprint.size(); ++i) {
+    const double d = distance(footprint.segment(i), point);
+    if (d < nearest.signed_distance) nearest = {i, d};
+  }
+  if (footprint.contains(point)) nearest.signed_distance = -nearest.signed_distance;
+  return nearest;
+}
+
+Feature featureOf(const Segment& segment, const Vec2& point) {
+  if (point == segment.start) return Feature::kStart;
+  return point == segment.end ? Feature::kEnd : Feature::kInside;
+}
+
+/// A vertex belongs to two segments; the lower index is named.
+std::size_t lowerIndexAt(const Contact& contact, std::size_t segment, std::size_t size) {
+  if (contact.feature == Feature::kStart) return segment == 0 ? 0 : segment - 1;
+  if (contact.feature == Feature::kEnd && segment + 1 == size) return 0;
+  return segment;
+}
+
+/// Speed at which the gap shrinks at the contact [m/s].
+double closingSpeed(const Polygon& footprint, const FootprintContact& first, const Motion& motion) {
+  const Contact& contact = first.contact;
+  const Vec2 velocity = motion.velocityAt(contact.time);
+  const Motion from_contact{motion.position - contact.point, motion.velocity, motion.acceleration};
+  const Vec2 away = from_contact.positionAt(contact.time);
+  const Segment segment = footprint.segment(first.segment);
+  const double tolerance = contactTolerance(segment, motion, 0, contact.time);
+  if (away.norm() > tolerance) {
+    const bool inside = contact.time == 0 && footprint.contains(motion.position);
+    return std::max(0.0, velocity.dot(away.normalized()) * (inside ? 1 : -1));
+  }
+  // A centre on the boundary itself, as that of a point obstacle, has the segment's normal; a
+  // vertex has many, of which the one against the velocity is the worst.
+  if (contact.feature != Feature::kInside) return velocity.norm();
+  const Vec2 left = leftNormal(segment.end - segment.start).normalized();
+  return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
+}
+
+/// Whether a contact of the candidate replaces the one known of this segment.
+bool comesFirst(const Segment& segment, const Contact& candidate, const Obstacle& obstacle,
+                const Contact& known, const Obstacle& known_obstacle) {
+  if (candidate.time != known.time) return candidate.time < known.time;
+  const auto gap = [&](const Obstacle& o) {
+    return distance(segment, o.motion().position) - o.radius();
+  };
+  return gap(obstacle) < gap(known_obstacle);
+}
+
+/// The first contact of all segments.
+std::optional<FootprintContact> firstOf(
+    const Polygon& footprint, const std::vector<std::optional<SegmentContact>>& segments) {
+  std::optional<FootprintContact> first;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (segments[i] && (!first || segments[i]->contact.time < first->contact.time))
+      first = FootprintContact{segments[i]->contact, i, segments[i]->obstacle, 0};
+  }
+  if (!first) return first;
+  const std::size_t lower = lowerIndexAt(first->contact, first->segment, segments.size());
+  const auto& other = segments[lower];
+  if (other && other->obstacle == first->obstacle && other->contact.point == first->contact.point) {
+    first->segment = lower;
+    first->contact.feature = featureOf(footprint.segment(lower), first->contact.point);
+  }
+  return first;
+}
+
+/// An obstacle that touches the solid footprint now, at the nearest point of the boundary.
+FootprintContact contactNow(const Polygon& footprint, const Vec2& centre, std::size_t nearest,
+                            std::size_t obstacle) {
+  const Vec2 point = closestPoint(footprint.segment(nearest), centre);
+  Contact contact{0, featureOf(footprint.segment(nearest), point), point};
+  const std::size_t segment = lowerIndexAt(contact, nearest, footprint.size());
+  contact.feature = featureOf(footprint.segment(segment), point);
+  return {contact, segment, obstacle, 0};
+}
+
+}  // namespace
+
+Prediction predict(const Polygon& footprint, const Twist& twist,
+                   const std::vector<Obstacle>& obstacles, double horizon) {
+  Prediction prediction;
+  prediction.segments.resize(footprint.size());
+  std::optional<FootprintContact> deepest_now;
+  for (std::size_t j = 0; j < obstacles.size(); ++j) {
+    const Obstacle& obstacle = obstacles[j];
+    const Motion motion = relativeMotion(obstacle.motion(), twist);
+    const Nearest nearest = nearestTo(motion.position, footprint);
+    bool touches_now = nearest.signed_distance <= obstacle.radius();
+    for (std::size_t i = 0; i < footprint.size(); ++i) {
+      const Segment segment = footprint.segment(i);
+      const auto contact = timeToCollision(segment, motion, obstacle.radius(), horizon);
+      if (!contact) continue;
+      touches_now = touches_now || contact->time == 0;
+      auto& known = prediction.segments[i];
+      if (!known ||
+          comesFirst(segment, *contact, obstacle, known->contact, obstacles[known->obstacle]))
+        known = SegmentContact{*contact, j};
+    }
+    const double clearance = nearest.signed_distance - obstacle.radius();
+    const bool smallest = !prediction.clearance || clearance < *prediction.clearance;
+    if (touches_now && (!deepest_now || smallest))
+      deepest_now = contactNow(footprint, motion.position, nearest.segment, j);
+    if (smallest) prediction.clearance = clearance;
+  }
+  prediction.first = deepest_now ? deepest_now : firstOf(footprint, prediction.segments);
+  if (prediction.first) {
+    const Obstacle& obstacle = obstacles[prediction.first->obstacle];
+    prediction.first->closing_speed =
+        closingSpeed(footprint, *prediction.first, relativeMotion(obstacle.motion(), twist));
+  }
+  return prediction;
+}
+
+}  // namespace footprint_collision_predictor::core

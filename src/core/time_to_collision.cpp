@@ -1,0 +1,147 @@
+// The three questions (S3): does the circle first touch one end, the other end, or the inside of
+// the segment? The earliest answer is the time to collision.
+//
+// Every answer is checked by one predicate, isTouching(): the distance is at most the radius plus
+// what rounding can amount to. The roots are sought for half of that allowance, so that no rounding
+// on the way can carry a true contact past the predicate, nor make it late where two roots nearly
+// coincide.
+#include "footprint_collision_predictor/time_to_collision.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace footprint_collision_predictor::core {
+namespace {
+
+// Each of the some ten operations from the input to a gap errs by at most half an epsilon of the
+// terms summed up in contactTolerance(); half of 32 leaves room for both the gap and the root.
+constexpr double kRoundingAllowance = 32 * std::numeric_limits<double>::epsilon();
+
+// The touch of an end converges quadratically; a path that comes to rest on it within rounding is
+// the slow case, a factor 3/4 a step, and takes less than 100 steps.
+constexpr int kMaxSteps = 200;
+
+/// Rounding allowance [m] for a gap to a point, from the motion relative to it.
+double allowance(const Motion& m, double radius, double t) {
+  return kRoundingAllowance * (radius + m.position.lpNorm<1>() +
+                               t * (m.velocity.lpNorm<1>() + 0.5 * t * m.acceleration.lpNorm<1>()));
+}
+
+Motion relativeTo(const Vec2& point, const Motion& m) {
+  return {m.position - point, m.velocity, m.acceleration};
+}
+
+Segment fromStart(const Segment& segment) { return {Vec2::Zero(), segment.end - segment.start}; }
+
+bool isTouching(const Segment& segment, const Motion& circle, double radius, double t) {
+  // From the start, so that a position far from the origin costs no digits.
+  const Vec2 centre = relativeTo(segment.start, circle).positionAt(t);
+  return distance(fromStart(segment), centre) <=
+         radius + contactTolerance(segment, circle, radius, t);
+}
+
+/// With q the position relative to an end, f = |q|^2 - reach^2 is a quartic in time. From a time
+/// with f > 0, the step to the first root of the parabola f + f' d + m d^2, where m <= f''/2 on all
+/// that is left of the horizon: the parabola lies below f, so the step never passes a root of f,
+/// and where it has none, neither has f. f''/2 is itself a convex parabola, so that m is closed
+/// form. Without acceleration the parabola is f, and one step arrives.
+std::optional<double> stepTowards(const Vec2& q, const Vec2& v, const Vec2& a, double reach,
+                                  double time_left) {
+  const double lowest_at =
+      a.isZero(0) ? 0 : std::clamp(-v.dot(a) / a.squaredNorm(), 0.0, time_left);
+  const double excess = q.dot(a) + lowest_at * (3 * v.dot(a) + lowest_at * 1.5 * a.squaredNorm());
+  const double m = v.squaredNorm() + excess;
+  const double half_slope = q.dot(v);
+  const double f = (q.norm() - reach) * (q.norm() + reach);
+  if (m >= 0 && half_slope >= 0) return std::nullopt;
+  // Equals half_slope^2 - f m, but does not cancel far from the end.
+  const double c = cross(q, v);
+  const double discriminant = reach * reach * m - c * c - excess * q.squaredNorm();
+  if (m > 0 && discriminant < 0) return std::nullopt;
+  const double root = std::sqrt(std::max(discriminant, 0.0));
+  return half_slope < 0 ? f / (root - half_slope) : (half_slope + root) / -m;
+}
+
+/// Questions (i) and (ii), S4: first touch of an end, from the motion relative to it.
+std::optional<double> timeToTouchEnd(const Motion& m, double radius, double horizon) {
+  double t = 0;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const Vec2 q = m.positionAt(t);
+    const double slack = allowance(m, radius, t);
+    if (q.norm() <= radius + slack) return t;
+    const auto step =
+        stepTowards(q, m.velocityAt(t), m.acceleration, radius + slack / 2, horizon - t);
+    if (!step || t + *step > horizon) return std::nullopt;
+    t += *step;
+  }
+  return t;  // never later than the contact
+}
+
+/// Real roots of c + b t + a t^2, without cancellation (Press et al., "Numerical Recipes", 5.6).
+/// What is not a root (a = 0, or all 0) comes out as infinite or NaN.
+std::array<double, 2> rootsOf(double a, double b, double c) {
+  const double q = -0.5 * (b + std::copysign(std::sqrt(b * b - 4 * a * c), b));
+  return {q / a, c / q};
+}
+
+/// Question (iii), S5: the circle's centre comes to the distance of the radius from the line, on
+/// either side, between the ends. A centre that comes from beyond an end touches that end first.
+std::optional<double> timeToTouchInside(const Segment& segment, const Motion& circle, double radius,
+                                        double horizon) {
+  const Vec2 direction = segment.end - segment.start;
+  const double length = direction.norm();
+  if (length == 0) return std::nullopt;
+  const Vec2 tangent = direction / length;
+  const double s = cross(tangent, circle.position - segment.start);
+  const double u = cross(tangent, circle.velocity);
+  const double half_a = 0.5 * cross(tangent, circle.acceleration);
+  const double reach = radius + contactTolerance(segment, circle, radius, 0) / 2;
+  std::optional<double> first;
+  for (const double side : {reach, -reach}) {
+    for (const double t : rootsOf(half_a, u, s - side)) {
+      const bool earlier = t >= 0 && t <= first.value_or(horizon);  // false for NaN
+      if (earlier && isTouching(segment, circle, radius, t)) first = t;
+    }
+  }
+  return first;
+}
+
+Contact contactAt(const Segment& segment, const Motion& circle, double radius, double t) {
+  const Vec2 along =
+      closestPoint(fromStart(segment), relativeTo(segment.start, circle).positionAt(t));
+  const double slack = contactTolerance(segment, circle, radius, t);
+  if (along.norm() <= slack) return {t, Feature::kStart, segment.start};
+  if ((along - (segment.end - segment.start)).norm() <= slack)
+    return {t, Feature::kEnd, segment.end};
+  return {t, Feature::kInside, segment.start + along};
+}
+
+std::optional<double> earliest(const std::optional<double>& a, const std::optional<double>& b) {
+  if (a && b) return std::min(*a, *b);
+  return a ? a : b;
+}
+
+}  // namespace
+
+double contactTolerance(const Segment& segment, const Motion& circle, double radius, double t) {
+  return std::max(allowance(relativeTo(segment.start, circle), radius, t),
+                  allowance(relativeTo(segment.end, circle), radius, t));
+}
+
+std::optional<Contact> timeToCollision(const Segment& segment, const Motion& circle, double radius,
+                                       double horizon) {
+  std::optional<double> time;
+  if (isTouching(segment, circle, radius, 0)) {
+    time = 0;
+  } else {
+    time = earliest(timeToTouchEnd(relativeTo(segment.start, circle), radius, horizon),
+                    timeToTouchEnd(relativeTo(segment.end, circle), radius, horizon));
+    time = earliest(time, timeToTouchInside(segment, circle, radius, horizon));
+  }
+  if (!time) return std::nullopt;
+  return contactAt(segment, circle, radius, *time);
+}
+
+}  // namespace footprint_collision_predictor::core
