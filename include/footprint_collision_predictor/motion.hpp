@@ -48,6 +48,8 @@ class Obstacle {
 
   const Motion& motion() const { return motion_; }
   double radius() const { return radius_; }
+  /// The same obstacle `dt` [s] later, relative to a footprint that has moved on without turning.
+  Obstacle after(double dt, const Twist& footprint) const;
 
  private:
   Motion motion_;

@@ -27,6 +27,13 @@ Obstacle::Obstacle(const Motion& motion, double radius) : motion_(motion), radiu
   requireWithin("radius", radius, 0, kMaxRadius);
 }
 
+Obstacle Obstacle::after(double dt, const Twist& footprint) const {
+  Obstacle later = *this;
+  later.motion_.position = relativeMotion(motion_, footprint).positionAt(dt);
+  later.motion_.velocity = motion_.velocityAt(dt);
+  return later;
+}
+
 Motion relativeMotion(const Motion& obstacle, const Twist& footprint) {
   return {obstacle.position, obstacle.velocity - footprint.linear, obstacle.acceleration};
 }

@@ -1,0 +1,47 @@
+// What is wrong with the inputs: a mask of CollisionWarning's reasons, with the words for a person.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "footprint_collision_predictor/CollisionWarning.h"
+
+namespace footprint_collision_predictor {
+
+/// Reasons below this bit make the level UNKNOWN; the others only say what is degraded.
+constexpr std::uint32_t kFirstDegradedReason = 1u << 24;
+
+class Findings {
+ public:
+  /// The first words for a reason stay: the same reason found again adds none.
+  void add(std::uint32_t reason, const std::string& words) {
+    if ((reasons_ | reason) == reasons_) return;
+    reasons_ |= reason;
+    list_.push_back({reason, words});
+  }
+  void add(const Findings& others) {
+    for (const Finding& other : others.list_) add(other.reason, other.words);
+  }
+
+  std::uint32_t reasons() const { return reasons_; }
+  bool makeUnknown() const { return reasons_ % kFirstDegradedReason != 0; }
+
+  /// What, where and what to do; joined by "; ", empty when there is nothing to say.
+  std::string text() const {
+    std::string all;
+    for (const Finding& finding : list_) all += (all.empty() ? "" : "; ") + finding.words;
+    return all;
+  }
+
+ private:
+  struct Finding {
+    std::uint32_t reason;
+    std::string words;
+  };
+
+  std::uint32_t reasons_ = 0;
+  std::vector<Finding> list_;
+};
+
+}  // namespace footprint_collision_predictor

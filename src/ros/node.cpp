@@ -1,0 +1,135 @@
+#include "node.hpp"
+
+#include <ros/console.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace footprint_collision_predictor {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 100;
+
+// [s] How often the worker looks whether the transform or odometry that a message waits for has
+// come.
+constexpr double kPollPeriod = 1e-3;
+
+Parameters parametersOf(const ros::NodeHandle& private_node) {
+  XmlRpc::XmlRpcValue values;
+  private_node.getParam(private_node.getNamespace(), values);
+  return parametersFrom(values);
+}
+
+Moment now() { return {ros::Time::now(), ros::SteadyTime::now()}; }
+
+RawMessage rawOf(const topic_tools::ShapeShifter& shape_shifter) {
+  RawMessage raw{shape_shifter.getDataType(), shape_shifter.getMD5Sum(),
+                 std::vector<std::uint8_t>(shape_shifter.size())};
+  ros::serialization::OStream stream(raw.bytes.data(), shape_shifter.size());
+  shape_shifter.write(stream);
+  return raw;
+}
+
+/// For when nothing could be evaluated: not one number is known.
+CollisionWarning unknown(const Parameters& parameters, const std::string& why) {
+  Findings findings;
+  findings.add(CollisionWarning::REASON_DEADLINE, why);
+  CollisionWarning msg =
+      warningMsg(nullptr, ros::Time::now(), core::Level::kUnknown, findings, parameters);
+  msg.data_age = std::numeric_limits<double>::infinity();
+  return msg;
+}
+
+}  // namespace
+
+Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : parameters_(parametersOf(private_node)),
+      node_(node),
+      private_node_(private_node),
+      predictions_(node_.advertise<CollisionPrediction>("collision_prediction", kQueueSize)),
+      warnings_(node_),
+      tf_listener_(tf_, node_, true),
+      pipeline_(parameters_,
+                {node_.resolveName("obstacles"), node_.resolveName("footprint"),
+                 node_.resolveName("odom")},
+                tf_, ros::Time::isSimTime(),
+                [this](const CollisionWarning& warning,
+                       const std::optional<CollisionPrediction>& prediction) {
+                  if (prediction) predictions_.publish(*prediction);
+                  warnings_.publish(warning);
+                }),
+      diagnostics_(node_, private_node_, warnings_) {
+  node_.setCallbackQueue(&queue_);
+  subscribe("obstacles", &Pipeline::receiveObstacles);
+  if (!parameters_.footprint) subscribe("footprint", &Pipeline::receiveFootprint);
+  if (parameters_.ego_motion == EgoMotion::kOdom) subscribe("odom", &Pipeline::receiveOdometry);
+  worker_ = std::thread(&Node::work, this);
+  heartbeat_ = std::thread(&Node::beat, this);
+}
+
+Node::~Node() {
+  {
+    const std::lock_guard<std::mutex> lock(stop_mutex_);
+    running_ = false;
+  }
+  stop_.notify_all();
+  worker_.join();
+  heartbeat_.join();
+}
+
+/// Raw, so that the node sees every type and every malformed message itself.
+void Node::subscribe(const std::string& topic, Receive receive) {
+  const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
+      [this, receive](const topic_tools::ShapeShifter::ConstPtr& message) {
+        guarded([&] { (pipeline_.*receive)(rawOf(*message), now()); });
+      };
+  subscribers_.push_back(node_.subscribe<topic_tools::ShapeShifter>(
+      topic, kQueueSize, callback, {}, ros::TransportHints().tcpNoDelay()));
+}
+
+void Node::work() {
+  const ros::WallDuration period(1 / parameters_.heartbeat_rate);
+  ros::SteadyTime next = ros::SteadyTime::now();
+  while (running_) {
+    progress_ = ros::SteadyTime::now().toNSec();
+    const double left = secondsBetween(ros::SteadyTime::now(), next);
+    const double wait = pipeline_.isWaiting() ? std::min(left, kPollPeriod) : left;
+    queue_.callAvailable(ros::WallDuration(std::max(0.0, wait)));
+    guarded([&] {
+      pipeline_.process(now());
+      if (ros::SteadyTime::now() < next) return;
+      warnings_.publish(pipeline_.repeat(now()));
+      next = std::max(next + period, ros::SteadyTime::now());
+    });
+  }
+}
+
+/// Steps in when the worker has been silent: with its newest result while it may just be late, and
+/// with UNKNOWN when it has not come round for so long that it must be taken to hang.
+void Node::beat() {
+  const double period = 1 / parameters_.heartbeat_rate;
+  const double patience = std::max(2 * period, 0.1);
+  const auto stopped = [this] { return !running_; };
+  std::unique_lock<std::mutex> lock(stop_mutex_);
+  while (!stop_.wait_for(lock, std::chrono::duration<double>(period), stopped)) {
+    if (warnings_.silence() < 1.5 * period) continue;
+    const double hang = 1e-9 * static_cast<double>(ros::SteadyTime::now().toNSec() - progress_);
+    if (hang > patience)
+      warnings_.publish(unknown(parameters_, "no evaluation has finished for " +
+                                                 std::to_string(hang) +
+                                                 " s: the machine is overloaded"));
+    else
+      warnings_.publishAgain();
+  }
+}
+
+void Node::guarded(const std::function<void()>& step) try {
+  step();
+} catch (const std::exception& error) {
+  ROS_ERROR_STREAM_THROTTLE(1, "an evaluation failed: " << error.what());
+  warnings_.publish(unknown(parameters_, std::string("an evaluation failed: ") + error.what()));
+}
+
+}  // namespace footprint_collision_predictor

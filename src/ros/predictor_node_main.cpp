@@ -1,0 +1,17 @@
+// rosrun footprint_collision_predictor predictor_node
+#include <ros/console.h>
+#include <ros/init.h>
+
+#include "node.hpp"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "footprint_collision_predictor");
+  try {
+    const footprint_collision_predictor::Node node(ros::NodeHandle(), ros::NodeHandle("~"));
+    ros::spin();
+  } catch (const footprint_collision_predictor::ParameterError& error) {
+    ROS_FATAL_STREAM("wrong parameters in " << ros::this_node::getName() << ":\n" << error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,40 @@
+// One moment's inputs, brought to one time and one frame; ready to be predicted, then and a little
+// later.
+#pragma once
+
+#include <tf2/buffer_core.h>
+
+#include <optional>
+#include <vector>
+
+#include "conversions.hpp"
+#include "moment.hpp"
+#include "odometry_history.hpp"
+#include "parameters.hpp"
+
+namespace footprint_collision_predictor {
+
+struct Scene {
+  ros::Time stamp;
+  ros::SteadyTime arrived;
+  core::Polygon footprint;
+  core::Twist twist;
+  /// How far ahead the motions hold [s]: 0 when the footprint's motion is not known or not
+  /// supported, since only what touches now is certain then.
+  double horizon;
+  std::optional<OdometrySample> odometry;  ///< that the twist was taken from
+  Circles circles;
+  std::uint32_t obstacle_count;
+  Findings findings;
+};
+
+/// \param arrived when the message arrived
+/// \throws TransformError when the obstacles cannot be brought into the body frame
+Scene makeScene(const ObstacleArray& message, const ros::SteadyTime& arrived,
+                const core::Polygon& footprint, const OdometryHistory& odometry,
+                const tf2::BufferCore& tf, const Parameters& parameters);
+
+/// The obstacles as they are `dt` [s] after the scene's stamp, still relative to the footprint.
+std::vector<core::Obstacle> carriedOn(const Scene& scene, double dt);
+
+}  // namespace footprint_collision_predictor

@@ -1,0 +1,68 @@
+#include "warning_message.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace footprint_collision_predictor {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using Warning = CollisionWarning;
+
+constexpr char kFootprintName[] = "footprint";  // the only one of this node
+
+void fillContact(const core::FootprintContact& first, const Evaluated& evaluated,
+                 CollisionWarning& msg) {
+  msg.collision_predicted = 1;
+  msg.time_to_collision = first.contact.time;
+  msg.segment = static_cast<std::int32_t>(first.segment);
+  msg.obstacle_id = evaluated.scene.circles.keys[first.obstacle].id;
+  msg.contact_point = toMsg(first.contact.point);
+  msg.closing_speed = first.closing_speed;
+}
+
+}  // namespace
+
+CollisionWarning warningMsg(const Evaluated* evaluated, const ros::Time& stamp, core::Level level,
+                            const Findings& findings, const Parameters& parameters) {
+  CollisionWarning msg;
+  msg.header.stamp = stamp;
+  msg.header.frame_id = parameters.base_frame;
+  msg.footprint = kFootprintName;
+  msg.level = static_cast<std::uint8_t>(level);
+  msg.time_to_collision = findings.makeUnknown() ? kNaN : kInfinity;
+  msg.horizon = parameters.horizon;
+  msg.segment = -1;
+  msg.obstacle_id = -1;
+  msg.clearance = msg.closest_distance = msg.closest_time = kNaN;
+  msg.reason = findings.reasons();
+  msg.message = findings.text();
+  if (evaluated) {
+    msg.obstacle_count = evaluated->scene.obstacle_count;
+    if (evaluated->prediction.first) fillContact(*evaluated->prediction.first, *evaluated, msg);
+    const bool all_known = findings.reasons() % kFirstDegradedReason == 0 ||
+                           findings.reasons() % kFirstDegradedReason == Warning::REASON_SETTLING;
+    if (all_known) msg.clearance = evaluated->prediction.clearance.value_or(kInfinity);
+  }
+  msg.contact_free_time =
+      findings.makeUnknown() ? 0 : std::min(msg.time_to_collision, parameters.horizon);
+  return msg;
+}
+
+CollisionPrediction predictionMsg(const Evaluated& evaluated, const Findings& findings,
+                                  const Parameters& parameters) {
+  const Scene& scene = evaluated.scene;
+  CollisionPrediction msg;
+  msg.header.stamp = scene.stamp;
+  msg.header.frame_id = parameters.base_frame;
+  msg.footprint = kFootprintName;
+  msg.area = scene.footprint.area();
+  msg.centroid = toMsg(scene.footprint.centroid());
+  msg.twist = toMsg(scene.twist);
+  msg.segments = toMsg(scene.footprint, evaluated.prediction, scene.circles.keys,
+                       parameters.horizon, !findings.makeUnknown());
+  return msg;
+}
+
+}  // namespace footprint_collision_predictor

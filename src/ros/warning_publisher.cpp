@@ -1,0 +1,65 @@
+#include "warning_publisher.hpp"
+
+#include <ros/console.h>
+
+#include <random>
+
+#include "findings.hpp"
+#include "moment.hpp"
+
+namespace footprint_collision_predictor {
+namespace {
+
+// Bounds the memory a consumer that does not read can take. More than one, so that two messages in
+// a burst both arrive.
+constexpr std::uint32_t kQueueSize = 100;
+
+void log(const CollisionWarning& warning) {
+  static const char* const kNames[] = {"UNKNOWN", "CLEAR", "WARN", "CRITICAL"};
+  const char* name = kNames[warning.level];
+  if (warning.level == CollisionWarning::CLEAR)
+    ROS_INFO_STREAM(name << " " << warning.message);
+  else if (warning.level == CollisionWarning::UNKNOWN)
+    ROS_WARN_STREAM(name << ": " << warning.message);
+  else
+    ROS_WARN_STREAM(name << ": contact in " << warning.time_to_collision << " s, segment "
+                         << warning.segment << ", obstacle " << warning.obstacle_id << " "
+                         << warning.message);
+}
+
+}  // namespace
+
+WarningPublisher::WarningPublisher(ros::NodeHandle& node)
+    : publisher_(node.advertise<CollisionWarning>("collision_warning", kQueueSize)),
+      last_time_(ros::SteadyTime::now()) {
+  last_.session = std::random_device{}();
+}
+
+void WarningPublisher::publish(CollisionWarning warning) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  warning.session = last_.session;
+  warning.sequence = last_.sequence + 1;
+  const bool first = last_.sequence == 0;
+  if (first || warning.level != last_.level || warning.reason != last_.reason) log(warning);
+  publisher_.publish(warning);
+  last_ = std::move(warning);
+  last_time_ = ros::SteadyTime::now();
+}
+
+void WarningPublisher::publishAgain() {
+  CollisionWarning again = last();
+  again.data_age += silence();
+  publish(std::move(again));
+}
+
+double WarningPublisher::silence() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return secondsBetween(last_time_, ros::SteadyTime::now());
+}
+
+CollisionWarning WarningPublisher::last() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_;
+}
+
+}  // namespace footprint_collision_predictor
