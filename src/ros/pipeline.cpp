@@ -132,10 +132,12 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
 
 void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
   footprint_refusal_ = {};
+  const std_msgs::Header& header = message.header;
   try {
-    if (message.header.frame_id.empty()) throw TransformError("its frame_id is empty");
-    const PlanarPose body =
-        lookUpPose(tf_, message.header.frame_id, parameters_.base_frame, message.header.stamp);
+    if (header.frame_id.empty()) throw TransformError("its frame_id is empty");
+    if (header.stamp.isZero() && header.frame_id != parameters_.base_frame)
+      throw TransformError("its stamp is 0, so its place on the robot is not known");
+    const PlanarPose body = lookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp);
     footprint_.emplace(toCore(message.polygon, body));
   } catch (const TransformError& error) {
     footprint_refusal_.add(

@@ -39,11 +39,22 @@ void WarningPublisher::publish(CollisionWarning warning) {
   const std::lock_guard<std::mutex> lock(mutex_);
   warning.session = last_.session;
   warning.sequence = last_.sequence + 1;
-  const bool first = last_.sequence == 0;
-  if (first || warning.level != last_.level || warning.reason != last_.reason) log(warning);
+  logChange(warning);
   publisher_.publish(warning);
   last_ = std::move(warning);
   last_time_ = ros::SteadyTime::now();
+}
+
+/// A new level is told at once; new reasons for the same level at most once a second.
+void WarningPublisher::logChange(const CollisionWarning& warning) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const bool quiet = secondsBetween(logged_time_, now) > 1;
+  const bool first = logged_time_.isZero();
+  if (!first && warning.level == logged_.level && (warning.reason == logged_.reason || !quiet))
+    return;
+  log(warning);
+  logged_ = warning;
+  logged_time_ = now;
 }
 
 void WarningPublisher::publishAgain() {

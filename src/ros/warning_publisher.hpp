@@ -23,10 +23,14 @@ class WarningPublisher {
   CollisionWarning last() const;
 
  private:
+  void logChange(const CollisionWarning& warning);
+
   mutable std::mutex mutex_;
   ros::Publisher publisher_;
   CollisionWarning last_;
   ros::SteadyTime last_time_;
+  CollisionWarning logged_;
+  ros::SteadyTime logged_time_;
 };
 
 }  // namespace footprint_collision_predictor
