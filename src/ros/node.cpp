@@ -62,9 +62,11 @@ Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
                 }),
       diagnostics_(node_, private_node_, warnings_) {
   node_.setCallbackQueue(&queue_);
-  subscribe("obstacles", &Pipeline::receiveObstacles);
-  if (!parameters_.footprint) subscribe("footprint", &Pipeline::receiveFootprint);
-  if (parameters_.ego_motion == EgoMotion::kOdom) subscribe("odom", &Pipeline::receiveOdometry);
+  inputs_.push_back({"obstacles", &Pipeline::receiveObstacles});
+  if (!parameters_.footprint) inputs_.push_back({"footprint", &Pipeline::receiveFootprint});
+  if (parameters_.ego_motion == EgoMotion::kOdom)
+    inputs_.push_back({"odom", &Pipeline::receiveOdometry});
+  for (Input& input : inputs_) subscribe(input);
   worker_ = std::thread(&Node::work, this);
   heartbeat_ = std::thread(&Node::beat, this);
 }
@@ -80,13 +82,24 @@ Node::~Node() {
 }
 
 /// Raw, so that the node sees every type and every malformed message itself.
-void Node::subscribe(const std::string& topic, Receive receive) {
+void Node::subscribe(Input& input) {
   const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
-      [this, receive](const topic_tools::ShapeShifter::ConstPtr& message) {
+      [this, receive = input.receive](const topic_tools::ShapeShifter::ConstPtr& message) {
         guarded([&] { (pipeline_.*receive)(rawOf(*message), now()); });
       };
-  subscribers_.push_back(node_.subscribe<topic_tools::ShapeShifter>(
-      topic, kQueueSize, callback, {}, ros::TransportHints().tcpNoDelay()));
+  input.subscriber.shutdown();
+  input.subscriber = node_.subscribe<topic_tools::ShapeShifter>(
+      input.topic, kQueueSize, callback, {}, ros::TransportHints().tcpNoDelay());
+}
+
+/// roscpp's subscription to any type takes only the type of the first publisher it met, for ever.
+/// So once the publishers have gone, it is made anew, and the next may be of another type.
+void Node::renewSubscriptions() {
+  for (Input& input : inputs_) {
+    const bool connected = input.subscriber.getNumPublishers() > 0;
+    if (input.was_connected && !connected) subscribe(input);
+    input.was_connected = connected;
+  }
 }
 
 void Node::work() {
@@ -101,6 +114,7 @@ void Node::work() {
       pipeline_.process(now());
       if (ros::SteadyTime::now() < next) return;
       warnings_.publish(pipeline_.repeat(now()));
+      renewSubscriptions();
       next = std::max(next + period, ros::SteadyTime::now());
     });
   }

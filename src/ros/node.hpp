@@ -34,7 +34,15 @@ class Node {
  private:
   using Receive = void (Pipeline::*)(const RawMessage&, const Moment&);
 
-  void subscribe(const std::string& topic, Receive receive);
+  struct Input {
+    std::string topic;
+    Receive receive;
+    ros::Subscriber subscriber = {};
+    bool was_connected = false;
+  };
+
+  void subscribe(Input& input);
+  void renewSubscriptions();
   void work();
   void beat();
   void guarded(const std::function<void()>& step);
@@ -49,7 +57,7 @@ class Node {
   tf2_ros::TransformListener tf_listener_;
   Pipeline pipeline_;
   Diagnostics diagnostics_;
-  std::vector<ros::Subscriber> subscribers_;
+  std::vector<Input> inputs_;
 
   std::mutex stop_mutex_;
   std::condition_variable stop_;
