@@ -5,6 +5,8 @@
 scripts_dir="$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 root="$(dirname "$scripts_dir")"
 export build="$root/build"
+# Not below build/, where catkin would put it: rosrun ignores programs in a package's build folder.
+export devel="$root/devel"
 export package=footprint_collision_predictor
 
 # A python3 in front of the system's (pyenv, conda) has no catkin_pkg and breaks catkin.
@@ -44,6 +46,7 @@ configure() {
   # Where `setup` has put CLI11, on a system that has no package of it.
   cli11="$(find "$build/deps" -name CLI11Config.cmake 2>/dev/null || true)"
   cmake -S "$root" -B "$build" -DPYTHON_EXECUTABLE=/usr/bin/python3 -DCMAKE_BUILD_TYPE=Release \
+    -DCATKIN_DEVEL_PREFIX="$devel" \
     ${cli11:+-DCLI11_DIR="$(dirname "$cli11")"} "$@" >"$log" 2>&1 ||
     { tail -n 30 "$log" >&2; die "configuring failed; everything it said is in $log"; }
 }
