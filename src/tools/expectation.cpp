@@ -20,7 +20,7 @@ std::string seconds(const std::optional<double>& t) {
 std::string row(const char* what, const std::optional<double>& expected,
                 const std::optional<double>& seen) {
   char text[160];
-  std::snprintf(text, sizeof text, "  %-17s expected %s   seen %s", what, seconds(expected).c_str(),
+  std::snprintf(text, sizeof text, "  %-28s %s   seen %s", what, seconds(expected).c_str(),
                 seconds(seen).c_str());
   return text;
 }
@@ -85,13 +85,13 @@ std::string Expectation::summary() const {
   };
   std::optional<double> contact;
   if (warn_) contact = warn_->t + warn_->warning.time_to_collision;
-  std::string text = row("first WARN", answers_.first_warn, timeOfSeen(warn_)) + "\n" +
-                     row("first CRITICAL", answers_.first_critical, timeOfSeen(critical_)) + "\n" +
-                     row("predicted contact", answers_.contact, contact);
+  std::string text = row("first WARN, expected by", answers_.first_warn, timeOfSeen(warn_)) + "\n" +
+                     row("first CRITICAL, by", answers_.first_critical, timeOfSeen(critical_)) +
+                     "\n" + row("predicted contact, exactly", answers_.contact, contact);
   if (contact && answers_.contact) {
     char difference[64];
     std::snprintf(difference, sizeof difference, "   difference %.9f s",
-                  *contact - *answers_.contact);
+                  std::abs(*contact - *answers_.contact));
     text += difference;
   }
   if (nothingCame()) {
