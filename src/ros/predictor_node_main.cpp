@@ -5,7 +5,7 @@
 #include "node.hpp"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "footprint_collision_predictor");
+  ros::init(argc, argv, "predictor_node");
   try {
     const footprint_collision_predictor::Node node(ros::NodeHandle(), ros::NodeHandle("~"));
     ros::spin();

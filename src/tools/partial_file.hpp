@@ -1,0 +1,27 @@
+// Output that appears under its name only when it is complete.
+#pragma once
+
+#include <string>
+
+namespace footprint_collision_predictor::tools {
+
+/// Hands out a name beside `path` to write to; finish() moves that file to `path`, and without it
+/// (an error, an exception) it is removed.
+class PartialFile {
+ public:
+  /// \throws WriteError when nothing can be written there; what() says why.
+  explicit PartialFile(const std::string& path);
+  ~PartialFile();
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+
+  const std::string& partialPath() const { return partial_path_; }
+  /// \throws WriteError
+  void finish();
+
+ private:
+  std::string path_;
+  std::string partial_path_;
+};
+
+}  // namespace footprint_collision_predictor::tools
