@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include <random>
+#include <sstream>
 
 #include "findings.hpp"
 #include "moment.hpp"
@@ -14,17 +15,21 @@ namespace {
 // a burst both arrive.
 constexpr std::uint32_t kQueueSize = 100;
 
+std::string described(const CollisionWarning& warning) {
+  std::ostringstream text;
+  text << (warning.level == CollisionWarning::CRITICAL ? "CRITICAL" : "WARN") << ": contact in "
+       << warning.time_to_collision << " s, segment " << warning.segment << ", obstacle "
+       << warning.obstacle_id << (warning.message.empty() ? "" : "; ") << warning.message;
+  return text.str();
+}
+
 void log(const CollisionWarning& warning) {
-  static const char* const kNames[] = {"UNKNOWN", "CLEAR", "WARN", "CRITICAL"};
-  const char* name = kNames[warning.level];
   if (warning.level == CollisionWarning::CLEAR)
-    ROS_INFO_STREAM(name << " " << warning.message);
+    ROS_INFO_STREAM("CLEAR" << (warning.message.empty() ? "" : ": ") << warning.message);
   else if (warning.level == CollisionWarning::UNKNOWN)
-    ROS_WARN_STREAM(name << ": " << warning.message);
+    ROS_WARN_STREAM("UNKNOWN: " << warning.message);
   else
-    ROS_WARN_STREAM(name << ": contact in " << warning.time_to_collision << " s, segment "
-                         << warning.segment << ", obstacle " << warning.obstacle_id << " "
-                         << warning.message);
+    ROS_WARN_STREAM(described(warning));
 }
 
 }  // namespace
