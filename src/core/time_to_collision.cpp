@@ -86,25 +86,40 @@ std::array<double, 2> rootsOf(double a, double b, double c) {
   return {q / a, c / q};
 }
 
-/// Question (iii), S5: the circle's centre comes to the distance of the radius from the line, on
-/// either side, between the ends. A centre that comes from beyond an end touches that end first.
+/// One coordinate of the centre as it moves: c + b t + a t^2.
+struct Coordinate {
+  double a;
+  double b;
+  double c;
+};
+
+/// Question (iii), S5: the circle's centre enters the rectangle of all points within the radius of
+/// the segment's inside. All four sides are asked, also the two across the ends: a centre that
+/// comes from beyond an end touches that end first, but in a graze only by less than rounding, and
+/// then the end may not be seen to be touched.
 std::optional<double> timeToTouchInside(const Segment& segment, const Motion& circle, double radius,
                                         double horizon) {
   const Vec2 direction = segment.end - segment.start;
   const double length = direction.norm();
   if (length == 0) return std::nullopt;
   const Vec2 tangent = direction / length;
-  const double s = cross(tangent, circle.position - segment.start);
-  const double u = cross(tangent, circle.velocity);
-  const double half_a = 0.5 * cross(tangent, circle.acceleration);
-  const double reach = radius + contactTolerance(segment, circle, radius, 0) / 2;
+  const Vec2 p = circle.position - segment.start;
+  const Coordinate across{0.5 * cross(tangent, circle.acceleration),
+                          cross(tangent, circle.velocity), cross(tangent, p)};
+  const Coordinate along{0.5 * tangent.dot(circle.acceleration), tangent.dot(circle.velocity),
+                         tangent.dot(p)};
+  const double slack = contactTolerance(segment, circle, radius, 0) / 2;
   std::optional<double> first;
-  for (const double side : {reach, -reach}) {
-    for (const double t : rootsOf(half_a, u, s - side)) {
+  const auto ask = [&](const Coordinate& x, double side) {
+    for (const double t : rootsOf(x.a, x.b, x.c - side)) {
       const bool earlier = t >= 0 && t <= first.value_or(horizon);  // false for NaN
       if (earlier && isTouching(segment, circle, radius, t)) first = t;
     }
-  }
+  };
+  ask(across, radius + slack);
+  ask(across, -radius - slack);
+  ask(along, -slack);
+  ask(along, length + slack);
   return first;
 }
 
