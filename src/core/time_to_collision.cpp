@@ -23,6 +23,9 @@ constexpr double kRoundingAllowance = 32 * std::numeric_limits<double>::epsilon(
 // the slow case, a factor 3/4 a step, and takes less than 100 steps.
 constexpr int kMaxSteps = 200;
 
+// Window of the next step, in lengths of the last one.
+constexpr double kWindow = 8;
+
 /// Rounding allowance [m] for a gap to a point, from the motion relative to it.
 double allowance(const Motion& m, double radius, double t) {
   return kRoundingAllowance * (radius + m.position.lpNorm<1>() +
@@ -64,17 +67,23 @@ std::optional<double> stepTowards(const Vec2& q, const Vec2& v, const Vec2& a, d
   return half_slope < 0 ? f / (root - half_slope) : (half_slope + root) / -m;
 }
 
-/// Questions (i) and (ii), S4: first touch of an end, from the motion relative to it.
+/// Questions (i) and (ii), S4: first touch of an end, from the motion relative to it. The parabola
+/// needs to lie below only as far as it is followed: a window of some steps' length makes it steep
+/// enough where a path nearly comes to rest in a graze, which takes hundreds of steps without.
 std::optional<double> timeToTouchEnd(const Motion& m, double radius, double horizon) {
   double t = 0;
+  double window = horizon;
   for (int i = 0; i < kMaxSteps; ++i) {
     const Vec2 q = m.positionAt(t);
     const double slack = allowance(m, radius, t);
     if (q.norm() <= radius + slack) return t;
-    const auto step =
-        stepTowards(q, m.velocityAt(t), m.acceleration, radius + slack / 2, horizon - t);
-    if (!step || t + *step > horizon) return std::nullopt;
-    t += *step;
+    const double left = std::min(window, horizon - t);
+    const auto step = stepTowards(q, m.velocityAt(t), m.acceleration, radius + slack / 2, left);
+    const bool lands = step && *step <= left;
+    if (!lands && left >= horizon - t) return std::nullopt;
+    const double advance = lands ? *step : left;
+    t = std::min(t + advance, horizon);
+    window = kWindow * advance;
   }
   return t;  // never later than the contact
 }
