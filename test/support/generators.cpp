@@ -133,6 +133,26 @@ Case awayAndBack(Random& random) {
           random.logUniform(1e-3, core::kMaxHorizon)};
 }
 
+Case boomerang(Random& random) {
+  const Segment s = anySegment(random);
+  const Touch touch = touchOf(s, random);
+  const double radius = anyRadius(random);
+  const double gap = random.sign() * random.logUniform(1e-16, 1e-3);
+  const Vec2 centre = touch.point + (radius + gap) * touch.outwards;
+  const double back = random.logUniform(1, 1e3);
+  const double speed = random.logUniform(1e-3, 1e3);
+  const Vec2 side = random.sign() * core::leftNormal(touch.outwards);
+  const Vec2 velocity = random.chance(0.5) ? Vec2{speed * side} : Vec2{speed * random.direction()};
+  // Straight back along its way, or along any parabola.
+  const Vec2 acceleration =
+      random.chance(0.5) ? Vec2{(2 / back) * velocity} : Vec2{speed / back * random.direction()};
+  return {s,
+          {centre - back * (velocity - (0.5 * back) * acceleration), velocity - back * acceleration,
+           acceleration},
+          radius,
+          2 * back};
+}
+
 Case translated(const Case& c, const Vec2& by) {
   Case moved = c;
   moved.segment = {c.segment.start + by, c.segment.end + by};

@@ -31,6 +31,10 @@ Case braking(Random& random);
 /// Starts outwards, and the acceleration brings it back.
 Case awayAndBack(Random& random);
 
+/// Flies up to 1e6 m away and, when it comes back, touches the segment or grazes it, but for
+/// +-1e-16 .. 1e-3 m.
+Case boomerang(Random& random);
+
 /// The same, elsewhere. Coordinates are rounded as they would be in a map so far from its origin.
 Case translated(const Case& c, const Vec2& by);
 

@@ -49,6 +49,11 @@ std::string notTrue(const Case& c, const core::Contact& contact, Tally* tally) {
   tally->worst_share = std::max(tally->worst_share, gap / size);
   if (!(gap <= tolerance))
     text << "invented: the gap is " << gap << " m at the reported " << contact.time << " s\n";
+  // What the core promises of itself is far stricter; twice, since it decides in double.
+  const double promised = 2 * contactTolerance(c.segment, c.circle, c.radius, contact.time);
+  if (!(gap <= promised))
+    text << "the gap is " << gap << " m at the reported " << contact.time
+         << " s, contactTolerance() is " << promised / 2 << " m\n";
   const double off = static_cast<double>(distanceFromNearest(c, contact.time, contact.point));
   const double rounding = 0x1p-52 * contact.point.norm();  // of the point itself, far away
   if (!(off <= tolerance + rounding))
