@@ -102,6 +102,14 @@ struct Coordinate {
   double c;
 };
 
+/// contactTolerance() / 2 as it grows with time, so that it counts in full also for a path that
+/// leads far away and back.
+Coordinate halfTolerance(const Segment& segment, const Motion& m, double radius) {
+  const double half = kRoundingAllowance / 2;
+  return {half * 0.5 * m.acceleration.lpNorm<1>(), half * m.velocity.lpNorm<1>(),
+          contactTolerance(segment, m, radius, 0) / 2};
+}
+
 /// Question (iii), S5: the circle's centre enters the rectangle of all points within the radius of
 /// the segment's inside. All four sides are asked, also the two across the ends: a centre that
 /// comes from beyond an end touches that end first, but in a graze only by less than rounding, and
@@ -117,18 +125,19 @@ std::optional<double> timeToTouchInside(const Segment& segment, const Motion& ci
                           cross(tangent, circle.velocity), cross(tangent, p)};
   const Coordinate along{0.5 * tangent.dot(circle.acceleration), tangent.dot(circle.velocity),
                          tangent.dot(p)};
-  const double slack = contactTolerance(segment, circle, radius, 0) / 2;
+  const Coordinate slack = halfTolerance(segment, circle, radius);
   std::optional<double> first;
-  const auto ask = [&](const Coordinate& x, double side) {
-    for (const double t : rootsOf(x.a, x.b, x.c - side)) {
+  const auto ask = [&](const Coordinate& x, double side, double sign) {
+    for (const double t :
+         rootsOf(x.a - sign * slack.a, x.b - sign * slack.b, x.c - (side + sign * slack.c))) {
       const bool earlier = t >= 0 && t <= first.value_or(horizon);  // false for NaN
       if (earlier && isTouching(segment, circle, radius, t)) first = t;
     }
   };
-  ask(across, radius + slack);
-  ask(across, -radius - slack);
-  ask(along, -slack);
-  ask(along, length + slack);
+  ask(across, radius, 1);
+  ask(across, -radius, -1);
+  ask(along, 0, -1);
+  ask(along, length, 1);
   return first;
 }
 
