@@ -19,7 +19,7 @@ TEST(Acceleration, BrakingToAStopHoldsTheGuarantee) {
   runSuite("braking to a stop", 200000, braking);
 }
 
-TEST(Acceleration, BoomerangsHoldTheGuarantee) { runSuite("boomerangs", 200000, boomerang); }
+TEST(Acceleration, BoomerangsHoldTheGuarantee) { runSuite("boomerangs", 100000, boomerang); }
 
 TEST(Acceleration, AwayAndBackHoldsTheGuarantee) { runSuite("away and back", 200000, awayAndBack); }
 

@@ -142,7 +142,8 @@ Case boomerang(Random& random) {
   const double back = random.logUniform(1, 1e3);
   const double speed = random.logUniform(1e-3, 1e3);
   const Vec2 side = random.sign() * core::leftNormal(touch.outwards);
-  const Vec2 velocity = random.chance(0.5) ? Vec2{speed * side} : Vec2{speed * random.direction()};
+  const double inwards = random.chance(0.3) ? 0 : random.logUniform(1e-12, 1e2);
+  const Vec2 velocity = speed * (side - inwards * touch.outwards).normalized();
   // Straight back along its way, or along any parabola.
   const Vec2 acceleration =
       random.chance(0.5) ? Vec2{(2 / back) * velocity} : Vec2{speed / back * random.direction()};
