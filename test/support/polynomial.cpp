@@ -1,7 +1,5 @@
 #include "polynomial.hpp"
 
-#include <cstddef>
-
 namespace footprint_collision_predictor::test {
 namespace {
 
@@ -44,7 +42,7 @@ Quad bracketedRoot(const Polynomial& p, Quad low, Quad high) {
 
 std::vector<Quad> monotonePieces(const Polynomial& p, Quad low, Quad high) {
   std::vector<Quad> knots{low};
-  if (p.degree() > 1) {
+  if (p.degree > 1) {
     const std::vector<Quad> turns = rootsBetween(p.derivative(), low, high);
     knots.insert(knots.end(), turns.begin(), turns.end());
   }
@@ -54,24 +52,22 @@ std::vector<Quad> monotonePieces(const Polynomial& p, Quad low, Quad high) {
 
 }  // namespace
 
+Polynomial::Polynomial(const std::array<Quad, 5>& coefficients) : c(coefficients) {
+  while (degree > 0 && c[degree] == 0) --degree;
+}
+
 Quad Polynomial::at(Quad t) const {
-  int i = degree();
-  Quad value = c[static_cast<std::size_t>(i)];
-  while (i > 0) value = value * t + c[static_cast<std::size_t>(--i)];
+  std::size_t i = degree;
+  Quad value = c[i];
+  while (i > 0) value = value * t + c[--i];
   return value;
 }
 
 Polynomial Polynomial::derivative() const { return {{c[1], 2 * c[2], 3 * c[3], 4 * c[4], 0}}; }
 
-int Polynomial::degree() const {
-  int i = 4;
-  while (i > 0 && c[static_cast<std::size_t>(i)] == 0) --i;
-  return i;
-}
-
 std::vector<Quad> rootsBetween(const Polynomial& p, Quad low, Quad high) {
   std::vector<Quad> roots;
-  if (p.degree() == 0 || !(low <= high)) return roots;
+  if (p.degree == 0 || !(low <= high)) return roots;
   const std::vector<Quad> knots = monotonePieces(p, low, high);
   Quad left = p.at(knots.front());
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {

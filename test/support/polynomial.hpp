@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -11,11 +12,13 @@ namespace footprint_collision_predictor::test {
 
 /// c[0] + c[1] t + ... + c[4] t^4
 struct Polynomial {
-  std::array<Quad, 5> c{};
+  Polynomial(const std::array<Quad, 5>& coefficients);
 
   Quad at(Quad t) const;
   Polynomial derivative() const;
-  int degree() const;  // of the last coefficient that is not 0; 0 for a constant
+
+  std::array<Quad, 5> c;
+  std::size_t degree = 4;  // of the last coefficient that is not 0; 0 for a constant
 };
 
 /// All roots in [low, high] at which the polynomial is exactly 0 or changes its sign, ascending.
