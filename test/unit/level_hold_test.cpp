@@ -71,6 +71,7 @@ TEST(LevelHold, UnknownReplacesAHeldCriticalAtOnce) {
   EXPECT_EQ(shownAfter("!?"), "!?");
   EXPECT_EQ(shownAfter("CCC!C?CCC"), "??C!!???C");
   EXPECT_EQ(shownAfter("CCCW?W"), "??CW??");
+  EXPECT_EQ(shownAfter("CCC!?CCC"), "??C!???C");  // and what was held is forgotten
 }
 
 TEST(LevelHold, ARepeatShowsUnknownInsteadOfAHeldCritical) {

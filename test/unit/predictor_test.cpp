@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <string>
+
 #include "random.hpp"
 
 namespace footprint_collision_predictor::core {
@@ -98,17 +101,22 @@ TEST(Predict, ACornerNamesTheLowerSegmentFromEveryDirection) {
   const std::size_t lower[] = {0, 0, 1, 2};
   for (std::uint64_t i = 0; i < 20000; ++i) {
     test::Random random(1, i);
+    SCOPED_TRACE("Random(1, " + std::to_string(i) + ")");
+    Eigen::Matrix2d turn = Eigen::Rotation2Dd(random.angle()).toRotationMatrix();
+    if (random.chance(0.3)) turn.setIdentity();
+    Vertices box;
+    for (const Vec2& v : kBox) box.push_back(turn * v);
     const std::size_t k = i % 4;
-    const Vec2 way =
-        outwards[k].cwiseProduct(Vec2{random.uniform(0.1, 1), random.uniform(0.1, 1)}.normalized());
-    const double gap = random.uniform(1, 5);
+    const Vec2 slant{random.uniform(0.1, 1), random.uniform(0.1, 1)};
+    const Vec2 way = turn * outwards[k].cwiseProduct(slant.normalized());
     const double radius = random.uniform(0, 2);
+    const double gap = random.chance(0.2) ? -0.5 * radius : random.uniform(1, 5);
     const Vec2 a = random.chance(0.5) ? Vec2{0, 0} : Vec2{-0.5 * way};
-    const Obstacle o({kBox[k] + (radius + gap) * way, -random.uniform(1, 5) * way, a}, radius);
-    const Prediction p = predicted(kBox, {o});
-    ASSERT_TRUE(p.first) << "Random(1, " << i << ")";
-    ASSERT_EQ(p.first->segment, lower[k]) << "Random(1, " << i << ")";
-    ASSERT_EQ(p.first->contact.point, kBox[k]) << "Random(1, " << i << ")";
+    const Obstacle o({box[k] + (radius + gap) * way, -random.uniform(1, 5) * way, a}, radius);
+    const Prediction p = predicted(box, {o});
+    ASSERT_TRUE(p.first);
+    ASSERT_EQ(p.first->segment, lower[k]);
+    ASSERT_EQ(p.first->contact.point, box[k]);
   }
 }
 
@@ -129,8 +137,12 @@ TEST(Predict, AmongEqualTimesTheSmallerGapThenTheLowerIndexIsNamed) {
   expectFirst(predicted(kBox, {twin, twin}), 3.5, 1, 0);
   const Obstacle shallow = moving({1.25, 0}, {0, 0}, 0.5);
   const Obstacle deep = moving({1.125, 0}, {0, 0}, 0.5);
-  expectFirst(predicted(kBox, {shallow, deep}), 0, 1, 1);
-  expectFirst(predicted(kBox, {deep, shallow}), 0, 1, 0);
+  const Prediction last = predicted(kBox, {shallow, deep});
+  expectFirst(last, 0, 1, 1);
+  EXPECT_EQ(last.segments[1]->obstacle, 1u);
+  const Prediction first = predicted(kBox, {deep, shallow});
+  expectFirst(first, 0, 1, 0);
+  EXPECT_EQ(first.segments[1]->obstacle, 0u);
 }
 
 TEST(Predict, AFootprintThatMovesIsAnObstacleThatMoves) {
