@@ -23,6 +23,9 @@ constexpr double kRoundingAllowance = 32 * std::numeric_limits<double>::epsilon(
 // the slow case, a factor 3/4 a step, and takes less than 100 steps.
 constexpr int kMaxSteps = 200;
 
+// Window of the next step, in lengths of the last one.
+constexpr double kWindow = 8;
+
 /// Rounding allowance [m] for a gap to a point, from the motion relative to it.
 double allowance(const Motion& m, double radius, double t) {
   return kRoundingAllowance * (radius + m.position.lpNorm<1>() +
@@ -64,17 +67,23 @@ std::optional<double> stepTowards(const Vec2& q, const Vec2& v, const Vec2& a, d
   return half_slope < 0 ? f / (root - half_slope) : (half_slope + root) / -m;
 }
 
-/// Questions (i) and (ii), S4: first touch of an end, from the motion relative to it.
+/// Questions (i) and (ii), S4: first touch of an end, from the motion relative to it. The parabola
+/// needs to lie below only as far as it is followed: a window of some steps' length makes it steep
+/// enough where a path nearly comes to rest in a graze, which takes hundreds of steps without.
 std::optional<double> timeToTouchEnd(const Motion& m, double radius, double horizon) {
   double t = 0;
+  double window = horizon;
   for (int i = 0; i < kMaxSteps; ++i) {
     const Vec2 q = m.positionAt(t);
     const double slack = allowance(m, radius, t);
     if (q.norm() <= radius + slack) return t;
-    const auto step =
-        stepTowards(q, m.velocityAt(t), m.acceleration, radius + slack / 2, horizon - t);
-    if (!step || t + *step > horizon) return std::nullopt;
-    t += *step;
+    const double left = std::min(window, horizon - t);
+    const auto step = stepTowards(q, m.velocityAt(t), m.acceleration, radius + slack / 2, left);
+    const bool lands = step && *step <= left;
+    if (!lands && left >= horizon - t) return std::nullopt;
+    const double advance = lands ? *step : left;
+    t = std::min(t + advance, horizon);
+    window = kWindow * advance;
   }
   return t;  // never later than the contact
 }
@@ -86,25 +95,49 @@ std::array<double, 2> rootsOf(double a, double b, double c) {
   return {q / a, c / q};
 }
 
-/// Question (iii), S5: the circle's centre comes to the distance of the radius from the line, on
-/// either side, between the ends. A centre that comes from beyond an end touches that end first.
+/// One coordinate of the centre as it moves: c + b t + a t^2.
+struct Coordinate {
+  double a;
+  double b;
+  double c;
+};
+
+/// contactTolerance() / 2 as it grows with time, so that it counts in full also for a path that
+/// leads far away and back.
+Coordinate halfTolerance(const Segment& segment, const Motion& m, double radius) {
+  const double half = kRoundingAllowance / 2;
+  return {half * 0.5 * m.acceleration.lpNorm<1>(), half * m.velocity.lpNorm<1>(),
+          contactTolerance(segment, m, radius, 0) / 2};
+}
+
+/// Question (iii), S5: the circle's centre enters the rectangle of all points within the radius of
+/// the segment's inside. All four sides are asked, also the two across the ends: a centre that
+/// comes from beyond an end touches that end first, but in a graze only by less than rounding, and
+/// then the end may not be seen to be touched.
 std::optional<double> timeToTouchInside(const Segment& segment, const Motion& circle, double radius,
                                         double horizon) {
   const Vec2 direction = segment.end - segment.start;
   const double length = direction.norm();
   if (length == 0) return std::nullopt;
   const Vec2 tangent = direction / length;
-  const double s = cross(tangent, circle.position - segment.start);
-  const double u = cross(tangent, circle.velocity);
-  const double half_a = 0.5 * cross(tangent, circle.acceleration);
-  const double reach = radius + contactTolerance(segment, circle, radius, 0) / 2;
+  const Vec2 p = circle.position - segment.start;
+  const Coordinate across{0.5 * cross(tangent, circle.acceleration),
+                          cross(tangent, circle.velocity), cross(tangent, p)};
+  const Coordinate along{0.5 * tangent.dot(circle.acceleration), tangent.dot(circle.velocity),
+                         tangent.dot(p)};
+  const Coordinate slack = halfTolerance(segment, circle, radius);
   std::optional<double> first;
-  for (const double side : {reach, -reach}) {
-    for (const double t : rootsOf(half_a, u, s - side)) {
+  const auto ask = [&](const Coordinate& x, double side, double sign) {
+    for (const double t :
+         rootsOf(x.a - sign * slack.a, x.b - sign * slack.b, x.c - (side + sign * slack.c))) {
       const bool earlier = t >= 0 && t <= first.value_or(horizon);  // false for NaN
       if (earlier && isTouching(segment, circle, radius, t)) first = t;
     }
-  }
+  };
+  ask(across, radius, 1);
+  ask(across, -radius, -1);
+  ask(along, 0, -1);
+  ask(along, length, 1);
   return first;
 }
 

@@ -1,7 +1,7 @@
 // The robot's own motion, transforms and clocks.
 #include <cmath>
 
-#include "test/support/pipeline_fixture.hpp"
+#include "pipeline_fixture.hpp"
 
 namespace footprint_collision_predictor {
 namespace {

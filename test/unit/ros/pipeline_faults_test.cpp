@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "test/support/pipeline_fixture.hpp"
+#include "pipeline_fixture.hpp"
 
 namespace footprint_collision_predictor {
 namespace {

@@ -1,6 +1,6 @@
 // The scenarios' expected answers against numbers worked out by hand, and against dense sampling of
 // the distance in the fixed frame (which knows nothing of the formulas).
-#include "../../src/tools/scenario.hpp"
+#include "scenario.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What obstacles messages and heartbeats say, from the inputs to the level.
 #include <cmath>
 
-#include "test/support/pipeline_fixture.hpp"
+#include "pipeline_fixture.hpp"
 
 namespace footprint_collision_predictor {
 namespace {

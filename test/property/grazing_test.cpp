@@ -1,0 +1,13 @@
+// Passing an end at almost exactly the radius, where time is ill-conditioned.
+#include <gtest/gtest.h>
+
+#include "generators.hpp"
+#include "guarantee.hpp"
+
+namespace footprint_collision_predictor::test {
+namespace {
+
+TEST(Grazing, AnEndHoldsTheGuarantee) { runSuite("grazing an end", 200000, grazingEnd); }
+
+}  // namespace
+}  // namespace footprint_collision_predictor::test

@@ -1,0 +1,44 @@
+// Random cases, by the kind of trouble they make.
+#pragma once
+
+#include "case.hpp"
+#include "random.hpp"
+
+namespace footprint_collision_predictor::test {
+
+/// Length log-uniform in 1e-2 .. 1e2 m, any direction, near the origin.
+Segment anySegment(Random& random);
+
+/// A place within reach: either end, a hair beside it, or anywhere between.
+Vec2 pointOn(const Segment& segment, Random& random);
+
+/// Zero in one of three, else log-uniform in [low, high] in any direction.
+Vec2 anyVector(Random& random, double low, double high);
+
+/// Everything drawn widely; more than half of the circles are aimed at the segment.
+Case anyCase(Random& random);
+
+/// Passes one end, which is the nearest point of the segment, at the radius * (1 +- 1e-15 .. 1e-3)
+/// or 1 to 4 ulp beside it, or exactly at it.
+Case grazingEnd(Random& random);
+
+/// Touches the segment at t = 0, but for +-1e-16 .. 1e-6 m, and moves in, out or alongside.
+Case touchingNow(Random& random);
+
+/// Comes to a stop 1e-9 .. 1e-3 m short of or past contact, and goes back where it came from.
+Case braking(Random& random);
+
+/// Starts outwards, and the acceleration brings it back.
+Case awayAndBack(Random& random);
+
+/// Flies up to 1e6 m away and, when it comes back, touches the segment or grazes it, but for
+/// +-1e-16 .. 1e-3 m.
+Case boomerang(Random& random);
+
+/// The same, elsewhere. Coordinates are rounded as they would be in a map so far from its origin.
+Case translated(const Case& c, const Vec2& by);
+
+/// x one ulp up or down, `steps` times.
+double ulpsAway(double x, int steps);
+
+}  // namespace footprint_collision_predictor::test

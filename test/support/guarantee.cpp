@@ -1,0 +1,119 @@
+#include "guarantee.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+#include "oracle.hpp"
+
+namespace footprint_collision_predictor::test {
+namespace {
+
+constexpr double kLateness = 1e-9;
+constexpr double kGap = 1e-9;
+
+std::string tooLate(const Case& c, const std::optional<core::Contact>& contact, Tally* tally) {
+  const std::optional<Quad> truth = trueContact(c);
+  if (!truth) return "";
+  std::ostringstream text;
+  text.precision(17);
+  const double t = static_cast<double>(*truth);
+  if (!contact) {
+    ++tally->misses;
+    text << "missed: true contact at " << t << " s\n";
+    return text.str();
+  }
+  const double late = static_cast<double>(Quad(contact->time) - *truth);
+  tally->worst_lateness = std::max(tally->worst_lateness, late);
+  if (late > kLateness * std::max(1.0, t))
+    text << "late by " << late << " s: true contact at " << t << " s, reported " << contact->time
+         << " s\n";
+  return text.str();
+}
+
+std::string notTrue(const Case& c, const core::Contact& contact, Tally* tally) {
+  std::ostringstream text;
+  text.precision(17);
+  if (!(contact.time >= 0 && contact.time <= c.horizon)) {
+    text << "time " << contact.time << " s is not within [0, " << c.horizon << "]\n";
+    return text.str();
+  }
+  const double size = std::max(1.0, sizeOfCoordinates(c, contact.time));
+  const double tolerance = kGap * size;
+  const double gap = static_cast<double>(trueGap(c, contact.time));
+  tally->worst_gap = std::max(tally->worst_gap, gap);
+  tally->worst_share = std::max(tally->worst_share, gap / size);
+  if (!(gap <= tolerance))
+    text << "invented: the gap is " << gap << " m at the reported " << contact.time << " s\n";
+  // What the core promises of itself is far stricter; twice, since it decides in double.
+  const double promised = 2 * contactTolerance(c.segment, c.circle, c.radius, contact.time);
+  if (!(gap <= promised))
+    text << "the gap is " << gap << " m at the reported " << contact.time
+         << " s, contactTolerance() is " << promised / 2 << " m\n";
+  const double off = static_cast<double>(distanceFromNearest(c, contact.time, contact.point));
+  const double rounding = 0x1p-52 * contact.point.norm();  // of the point itself, far away
+  if (!(off <= tolerance + rounding))
+    text << "the contact point is " << off << " m from the nearest one\n";
+  if ((contact.feature == core::Feature::kStart && contact.point != c.segment.start) ||
+      (contact.feature == core::Feature::kEnd && contact.point != c.segment.end))
+    text << "the contact point is not exactly the end that is named\n";
+  return text.str();
+}
+
+const char* environment(const char* name, const char* otherwise) {
+  const char* value = std::getenv(name);
+  return value ? value : otherwise;
+}
+
+}  // namespace
+
+std::string violations(const Case& c, Tally* tally) {
+  const std::optional<core::Contact> contact = ask(c);
+  ++tally->cases;
+  if (contact) ++tally->hits;
+  const std::string wrong =
+      tooLate(c, contact, tally) + (contact ? notTrue(c, *contact, tally) : "");
+  return wrong.empty() ? "" : wrong + asCode(c);
+}
+
+void expectGuarantee(const Case& c) {
+  Tally tally;
+  EXPECT_EQ(violations(c, &tally), "");
+}
+
+std::uint64_t suiteSeed() { return std::strtoull(environment("PROPERTY_SEED", "1"), nullptr, 10); }
+
+std::size_t scaled(std::size_t cases) {
+  const double scale = std::strtod(environment("PROPERTY_SCALE", "1"), nullptr);
+  return static_cast<std::size_t>(static_cast<double>(cases) * scale);
+}
+
+void forEachCase(const std::string& suite, std::size_t cases,
+                 const std::function<std::string(Random&)>& each) {
+  int failed = 0;
+  for (std::size_t i = 0; i < scaled(cases) && failed < 5; ++i) {
+    Random random(suiteSeed(), i);
+    const std::string wrong = each(random);
+    if (wrong.empty()) continue;
+    ++failed;
+    ADD_FAILURE() << "suite '" << suite << "', PROPERTY_SEED=" << suiteSeed() << ", case " << i
+                  << ":\n"
+                  << wrong;
+  }
+}
+
+void runSuite(const std::string& suite, std::size_t cases,
+              const std::function<Case(Random&)>& make) {
+  Tally tally;
+  forEachCase(suite, cases, [&](Random& random) { return violations(make(random), &tally); });
+  std::printf(
+      "%-28s %7zu cases %7zu hits %3zu missed, worst: %7.1e s late, gap %7.1e m (%7.1e of size)\n",
+      suite.c_str(), tally.cases, tally.hits, tally.misses, tally.worst_lateness, tally.worst_gap,
+      tally.worst_share);
+}
+
+}  // namespace footprint_collision_predictor::test

@@ -1,0 +1,48 @@
+// The guarantee of time_to_collision.hpp, put to the oracle.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "case.hpp"
+#include "random.hpp"
+
+namespace footprint_collision_predictor::test {
+
+/// What the cases of a suite amounted to.
+struct Tally {
+  std::size_t cases = 0;
+  std::size_t hits = 0;
+  std::size_t misses = 0;
+  double worst_lateness = 0;  ///< [s] behind the true contact
+  double worst_gap = 0;       ///< [m] left at a reported contact
+  double worst_share = 0;     ///< of that gap in the size of the coordinates, or in 1 m
+};
+
+/// What is wrong with the answer to this case; empty when the guarantee holds: (a) never missed and
+/// never late by more than 1e-9 s, relative for large times; (b) never invented: the gap at the
+/// reported time is at most 1e-9 m, scaled by the size of the coordinates; (c) the time lies within
+/// [0, horizon]; (d) the point is the nearest one of the segment, and an end that is named is
+/// exact.
+std::string violations(const Case& c, Tally* tally);
+
+/// For a single case, as asCode() prints it.
+void expectGuarantee(const Case& c);
+
+/// The seed of every random suite, from PROPERTY_SEED, else 1.
+std::uint64_t suiteSeed();
+/// `cases` times PROPERTY_SCALE, for long runs.
+std::size_t scaled(std::size_t cases);
+
+/// Calls each(random, index) for that many cases, stops after five that failed, and puts the
+/// suite's name, seed and index into what they print.
+void forEachCase(const std::string& suite, std::size_t cases,
+                 const std::function<std::string(Random&)>& each);
+
+/// Puts that many random cases to the guarantee and prints a line of summary.
+void runSuite(const std::string& suite, std::size_t cases,
+              const std::function<Case(Random&)>& make);
+
+}  // namespace footprint_collision_predictor::test

@@ -1,0 +1,69 @@
+// Cases that once broke the guarantee, as the random suites printed them.
+#include <gtest/gtest.h>
+
+#include "guarantee.hpp"
+
+namespace footprint_collision_predictor::test {
+namespace {
+
+// Passes the end just outside of what counts as touching the end, and sinks into the inside.
+TEST(FoundCase, BetweenTheEndAndTheInside) {
+  const Case c{{{0x0p+0, 0x0p+0}, {-0x1.65df45cbc3a57p+3, -0x0p+0}},
+               {{0x1.f2c9babc3c152p-5, 0x1.092e3666566bap-5},
+                {-0x1.0c2b0eac3edc2p-4, 0x1.c410794bf1dd4p-30},
+                {0x1.39129e3e1eea9p-27, -0x1.e6186ab234a6fp-30}},
+               0x1.092e36cf708e1p-5,
+               0x1.4p+4};
+  expectGuarantee(c);
+}
+
+// The same at a few km from the origin; overlaps by 13 mm in the end.
+TEST(FoundCase, BetweenTheEndAndTheInsideFarAway) {
+  const Case c{{{0x1.d1328a785a178p+11, 0x1.658ca7dd7d8b9p+11},
+                {0x1.d5295e07ec7c3p+11, 0x1.6c29edd270abbp+11}},
+               {{0x1.d128ba0804294p+11, 0x1.6580d79a7e29ep+11},
+                {0x1.78e7d320714b4p-4, 0x1.3b5865cb3b06ap-3},
+                {0x1.0382d9ecf9a19p-11, 0x1.58d60e1c6a693p-11}},
+               0x1.2d65c85acb52bp-4,
+               0x1.4p+4};
+  expectGuarantee(c);
+}
+
+// A point that nearly comes to rest as it moves on to the segment, end-on.
+TEST(FoundCase, APointBrakingOntoTheSegment) {
+  const Case c{{{-0x1.f8f5d64c9f6ddp+2, -0x1.b84e2241b8922p+0},
+                {-0x1.d0e9dc9894a21p+5, -0x1.d258e24f0347dp+5}},
+               {{-0x1.d0efb5eb806fap+5, -0x1.d25dc5a47c51ap+5},
+                {0x1.bff1d99c0cd9ep-18, 0x1.765a7d777286bp-18},
+                {-0x1.0c045aff338d2p-27, -0x1.bff88cd0dc67bp-28}},
+               0x0p+0,
+               0x1.abdc3f1fa01d4p+11};
+  expectGuarantee(c);
+}
+
+// Almost rests where it grazes the end: the steps towards the contact must not crawl.
+TEST(FoundCase, RestingInAGraze) {
+  const Case c{{{-0x1.30fa4591d863ap-1, -0x1.7401e9278ddb3p-1},
+                {-0x1.39e7782849635p-1, -0x1.7aad12646c6ep-1}},
+               {{-0x1.2bfc68b52c76ap-1, -0x1.9f62ac978145bp-1},
+                {0x1.2020284c98de6p-7, 0x1.11bd2ae523c12p-6},
+                {-0x1.5c538f1cae8e1p-10, -0x1.425615a2065e4p-10}},
+               0x1.3dc863f95a119p-5,
+               0x1.4p+4};
+  expectGuarantee(c);
+}
+
+// Flies hundreds of metres away and back to a place near by, at a shallow angle.
+TEST(FoundCase, AShallowBoomerang) {
+  const Case c{{{-0x1.2f7241dec3aa2p+1, -0x1.d35e8d503fc18p+1},
+                {-0x1.2f8fef0863c0bp+4, 0x1.6e4bb1defca2ep+2}},
+               {{-0x1.ead68ad1e3f13p+3, 0x1.d5ef927ea0231p+1},
+                {0x1.4dcc441e311d2p+2, -0x1.78f94a71606dfp+1},
+                {-0x1.87f56451ff5e8p-6, 0x1.baa8491fcb3fdp-7}},
+               0x0p+0,
+               0x1.b406ec306f9c7p+9};
+  expectGuarantee(c);
+}
+
+}  // namespace
+}  // namespace footprint_collision_predictor::test

@@ -1,0 +1,89 @@
+// Every refusal of a footprint names the rule that is broken and the vertices that break it.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <regex>
+
+#include "footprint_collision_predictor/polygon.hpp"
+
+namespace footprint_collision_predictor::core {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+std::string refusalOf(const std::vector<Vec2>& vertices) {
+  try {
+    const Polygon accepted(vertices);
+  } catch (const InvalidPolygon& e) {
+    return e.what();
+  }
+  return "(accepted)";
+}
+
+/// The refusal holds the rule's word, and every one of the numbers as a number of its own.
+void expectRefusal(const std::vector<Vec2>& vertices, const std::string& rule,
+                   const std::vector<int>& numbers) {
+  const std::string text = refusalOf(vertices);
+  EXPECT_TRUE(std::regex_search(text, std::regex(rule))) << text << "\ndoes not say: " << rule;
+  for (const int n : numbers)
+    EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + std::to_string(n) + "\\b")))
+        << text << "\ndoes not name " << n;
+}
+
+TEST(PolygonRefusal, FewerThanThreeVertices) {
+  expectRefusal({}, "vertices", {0, 3});
+  expectRefusal({{0, 0}, {1, 0}}, "vertices", {2, 3});
+}
+
+TEST(PolygonRefusal, NotFinite) {
+  expectRefusal({{0, 0}, {kNan, 0}, {1, 1}}, "finite", {1});
+  expectRefusal({{0, 0}, {1, 0}, {1, kNan}}, "finite", {2});
+  expectRefusal({{0, 0}, {1, 0}, {1, kInf}}, "finite", {2});
+  expectRefusal({{-kInf, 0}, {1, 0}, {1, 1}}, "finite", {0});
+}
+
+TEST(PolygonRefusal, CoordinatesBeyondTheLimit) {
+  expectRefusal({{0, 0}, {1, 0}, {1, 1.1e8}}, "1e\\+?0?8|100000000", {2});
+  expectRefusal({{0, 0}, {-1.1e8, 0}, {1, 1}}, "1e\\+?0?8|100000000", {1});
+}
+
+TEST(PolygonRefusal, TooLarge) {
+  expectRefusal({{0, 0}, {10001, 0}, {0, 1}}, "1e\\+?0?4|10000\\b", {});
+  expectRefusal({{0, -6000}, {1, 0}, {0, 6000}}, "1e\\+?0?4|10000\\b", {});
+}
+
+TEST(PolygonRefusal, EqualNeighbours) {
+  expectRefusal({{0, 0}, {1, 0}, {1, 0}, {1, 1}}, "equal|same|repeat", {1, 2});
+}
+
+TEST(PolygonRefusal, LastEqualsFirst) {
+  expectRefusal({{0, 0}, {1, 0}, {1, 1}, {0, 0}}, "equal|same|repeat", {0, 3});
+}
+
+TEST(PolygonRefusal, CrossingEdges) {
+  expectRefusal({{0, 0}, {2, 2}, {2, 0}, {0, 2}}, "cross", {0, 2});
+  expectRefusal({{0, 0}, {4, 0}, {4, 4}, {2, -1}, {0, 4}}, "cross", {0, 2});
+}
+
+TEST(PolygonRefusal, TouchingEdges) {
+  // Vertex 3 lies on edge 0; then two vertices in one place; then edges upon each other.
+  expectRefusal({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}, "touch", {0});
+  expectRefusal({{0, 0}, {2, 1}, {4, 0}, {4, 3}, {2, 1}, {0, 3}}, "touch", {});
+  expectRefusal({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {3, 0}, {1, 0}, {1, 2}, {0, 2}}, "touch", {0});
+}
+
+TEST(PolygonRefusal, ASpike) {
+  // Edge 2 runs back along edge 1.
+  expectRefusal({{0, 0}, {4, 0}, {4, 3}, {4, 1}, {0, 1}}, "touch|back|overlap|spike", {1, 2});
+  // Edge 0 runs back along edge 4.
+  expectRefusal({{1, 0}, {4, 0}, {4, 3}, {6, 3}, {6, 0}}, "touch|back|overlap|spike", {4});
+}
+
+TEST(PolygonRefusal, NoArea) {
+  expectRefusal({{0, 0}, {1, 0}, {2, 0}}, "area|touch|back|overlap|spike", {});
+  expectRefusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, "area|touch|back|overlap|spike", {});
+}
+
+}  // namespace
+}  // namespace footprint_collision_predictor::core
