@@ -136,7 +136,8 @@ void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
     if (message.header.frame_id.empty()) throw TransformError("its frame_id is empty");
     const PlanarPose body =
         lookUpPose(tf_, message.header.frame_id, parameters_.base_frame, message.header.stamp);
-    footprint_.emplace(toCore(message.polygon, body));
+    // Not emplace: it would lose the last good one when this throws.
+    footprint_ = core::Polygon(toCore(message.polygon, body));
   } catch (const TransformError& error) {
     footprint_refusal_.add(
         Warning::REASON_FOOTPRINT_INVALID | Warning::REASON_TRANSFORM,
