@@ -107,7 +107,10 @@ class Publisher:
 
 
 class Rig:
-    """A running node with the given private parameters, and its surroundings."""
+    """A running node with the given private parameters, and its surroundings.
+
+    obstacles_class None: somebody else publishes the obstacles.
+    """
 
     _numbers = itertools.count(1)
 
@@ -131,7 +134,8 @@ class Rig:
             Recorder(self.topic('collision_prediction'), CollisionPrediction))
         self.predictions.wait_connected()
         self.warnings.wait_for(lambda w: True, 'the first heartbeat')
-        self.obstacles = self.publisher('obstacles', obstacles_class)
+        if obstacles_class:
+            self.obstacles = self.publisher('obstacles', obstacles_class)
 
     def topic(self, name):
         return name if name.startswith('/') else self.namespace + '/' + name
