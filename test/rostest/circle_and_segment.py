@@ -1,7 +1,7 @@
 """Time to collision by another method than the package's, to compare with.
 
-A segment is convex, so the distance to it of a point that moves in a straight line is a convex function
-of time: its minimum is found by golden sections, and the first contact before it by bisection.
+A segment is convex, so the distance to it of a point that moves in a straight line is a convex
+function of time: its minimum is found by golden sections, the first contact before it by bisection.
 """
 import math
 

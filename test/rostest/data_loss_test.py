@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""CLEAR needs fresh data; before them and after them the level is UNKNOWN, and the heartbeat goes on."""
+"""CLEAR needs fresh data; before and after them it is UNKNOWN, and the heartbeat goes on."""
 import math
 import threading
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A footprint message that is no footprint is refused whole, by name, and the last good one is kept."""
+"""A message that is no footprint is refused whole, by name, and the last good one is kept."""
 import geometry_msgs.msg
 import rospy
 from footprint_collision_predictor.msg import CollisionWarning

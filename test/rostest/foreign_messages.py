@@ -32,7 +32,8 @@ _costmap_converter = generate_dynamic('costmap_converter/ObstacleArrayMsg', _def
     'std_msgs/Header header; costmap_converter/ObstacleMsg[] obstacles',
     std_msgs__Header=_HEADER,
     costmap_converter__ObstacleMsg='std_msgs/Header header; geometry_msgs/Polygon polygon; '
-                                   'float64 radius; int64 id; geometry_msgs/Quaternion orientation; '
+                                   'float64 radius; int64 id; '
+                                   'geometry_msgs/Quaternion orientation; '
                                    'geometry_msgs/TwistWithCovariance velocities',
     geometry_msgs__Polygon='geometry_msgs/Point32[] points',
     geometry_msgs__Point32='float32 x; float32 y; float32 z',

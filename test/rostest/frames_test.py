@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Obstacles in a frame that is turned and shifted: positions are transformed, velocities only turned."""
+"""Obstacles in a frame that is turned and shifted: velocities are turned, and not shifted."""
 from node_testing import PATIENT, circle, transform
 from ros_test_case import RosTestCase, run
 
@@ -44,7 +44,7 @@ class Frames(RosTestCase):
         self.check(node, circle(7, position, (-0.6, -0.8)), 'pythagoras', 2.5, 3, (1, 0.25))
 
     def test_own_motion_in_a_turned_world(self):
-        """The robot drives (1, 0) in its own axes; the obstacle, at (4, 0.25) there, stands still."""
+        """The robot drives (1, 0) in its own axes, the obstacle stands still at (4, 0.25) there."""
         node = self.node(QUARTER, ego_motion='odom')
         stamp = node.send_odometry(linear=(1, 0))
         node.send([circle(7, (4.75, 11))], 'quarter', stamp)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""An obstacle that cannot be is named, the level is UNKNOWN, and a certain hit is still CRITICAL."""
+"""An obstacle that cannot be is named, and UNKNOWN; a certain hit beside it is still CRITICAL."""
 import math
 
 from footprint_collision_predictor.msg import CollisionWarning

@@ -21,7 +21,7 @@ NODE = 'predictor_node'
 TIMEOUT = 30.0  # [s] for what should take milliseconds, on a machine that is busy with other things
 UNKNOWN_REASONS = (1 << 24) - 1
 
-# 2 m x 1 m. Segment 0 is the left side (y = 0.5), 1 the rear, 2 the right side, 3 the front (x = 1).
+# 2 m x 1 m. Segments: 0 is the left side (y = 0.5), 1 the rear, 2 the right side, 3 the front.
 BOX = [[1.0, 0.5], [-1.0, 0.5], [-1.0, -0.5], [1.0, -0.5]]
 
 # For tests that are not about age: a busy machine must not make their data stale.
@@ -88,7 +88,8 @@ class Recorder:
                     return self.messages[i]
 
     def wait_connected(self):
-        wait_until(lambda: self._subscriber.get_num_connections() > 0, 'a publisher of ' + self._topic)
+        wait_until(lambda: self._subscriber.get_num_connections() > 0,
+                   'a publisher of ' + self._topic)
 
     def close(self):
         self._subscriber.unregister()

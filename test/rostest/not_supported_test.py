@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What this version cannot compute exactly is said, and never answered as if it were something simpler."""
+"""What this version cannot compute exactly is said, never answered as something simpler."""
 import math
 
 from footprint_collision_predictor.msg import CollisionWarning
@@ -30,8 +30,8 @@ class NotSupported(RosTestCase):
         self.assertEqual(hit.reason & NOT_SUPPORTED, NOT_SUPPORTED)
 
     def test_turning(self):
-        """No straight-line answer, neither at the stamp nor later: the obstacle lies dead ahead, where
-        the straight line would touch it after 1 s."""
+        """No straight-line answer, neither at the stamp nor later: the obstacle lies dead ahead,
+        where the straight line would touch it after 1 s."""
         at_stamp, prediction, later = self.driving(0.5, circle(7, (2.5, 0)))
         for warning in at_stamp, later:
             self.assertUnknown(warning, NOT_SUPPORTED)

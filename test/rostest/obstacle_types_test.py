@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The same scene gives the same answer in each of the obstacle types, as far as the type can tell it."""
+"""The same scene gives the same answer in each of the obstacle types."""
 import rospy
 from foreign_messages import from_costmap_converter, from_obstacle_detector
 from footprint_collision_predictor.msg import CollisionWarning, ObstacleArray, SegmentPrediction

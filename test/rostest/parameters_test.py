@@ -77,7 +77,7 @@ class Parameters(RosTestCase):
             except subprocess.TimeoutExpired:
                 process.kill()
                 self.fail('it runs, having said:\n' + process.communicate()[0])
-            self.assertGreater(process.returncode, 0, 'ended by a signal or with success:\n' + output)
+            self.assertGreater(process.returncode, 0, 'a signal, or success:\n' + output)
             for word in words:
                 self.assertIn(word, output)
 
@@ -90,10 +90,11 @@ class Parameters(RosTestCase):
                    '~horizon', '~waring_time', '~footprint')
 
     def test_limits_themselves_are_allowed(self):
-        rig = self.rig(horizon=3.0, warn_time=3, critical_time=3.0, heartbeat_rate=10, clear_after=1,
-                       max_data_age=0.1, transform_tolerance=0.1, max_vertices=3, max_obstacles=1,
-                       diagnostic_period=0.5, footprint='[[1, 0], [0, 1.5e0], [-1, 0]]',
-                       ego_motion='odom', obstacle_velocity='relative', base_frame='/base')
+        rig = self.rig(horizon=3.0, warn_time=3, critical_time=3.0, heartbeat_rate=10,
+                       clear_after=1, max_data_age=0.1, transform_tolerance=0.1, max_vertices=3,
+                       max_obstacles=1, diagnostic_period=0.5,
+                       footprint='[[1, 0], [0, 1.5e0], [-1, 0]]', ego_motion='odom',
+                       obstacle_velocity='relative', base_frame='/base')
         self.assertEqual(rig.next_warning().header.frame_id, 'base')
         self.assertTrue(rig.is_alive())
 

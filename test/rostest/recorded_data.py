@@ -16,7 +16,7 @@ def recording(test_case, name):
 
 
 def play(test_case, path, topics, *options):
-    """Starts the player, which waits for its subscribers and sets the clock; ended with the test."""
+    """Starts the player, which waits for its subscribers; ended with the test."""
     command = ['rosbag', 'play', '--quiet', '--clock', '--hz', '1000', '--wait-for-subscribers',
                *options, path, '--topics', *topics]
     player = subprocess.Popen(command, stdin=subprocess.DEVNULL)

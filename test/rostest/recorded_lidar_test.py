@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""People walking round a standing robot: every message of a real tracker is answered, and rightly."""
+"""People walk round a standing robot: every message of a real tracker is answered, rightly."""
 import math
 
 import rosbag
@@ -62,7 +62,8 @@ class RecordedLidar(RosTestCase):
             found = segment.time_to_collision
             if found == expected or abs(found - expected) <= TIME_TOLERANCE:
                 continue
-            where = 'message %d, segment %d: found %r, expected %r' % (index, number, found, expected)
+            where = 'message %d, segment %d: found %r, expected %r' % (index, number, found,
+                                                                       expected)
             self.assertTrue(self.is_graze(approaches, contacts, segment, expected), where)
             self.grazes += 1
 

@@ -1,6 +1,6 @@
 """The test case that all tests of the running node derive from, and how they are run.
 
-rostest's own runner writes a skipped test into the JUnit file as a passed one; this one says skipped.
+rostest's own runner writes a skipped test into the JUnit file as a passed one; this one says so.
 """
 import sys
 import time
