@@ -62,11 +62,9 @@ Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
                 }),
       diagnostics_(node_, private_node_, warnings_) {
   node_.setCallbackQueue(&queue_);
-  inputs_.push_back({"obstacles", &Pipeline::receiveObstacles});
-  if (!parameters_.footprint) inputs_.push_back({"footprint", &Pipeline::receiveFootprint});
-  if (parameters_.ego_motion == EgoMotion::kOdom)
-    inputs_.push_back({"odom", &Pipeline::receiveOdometry});
-  for (Input& input : inputs_) subscribe(input);
+  addInput("obstacles", &Pipeline::receiveObstacles);
+  if (!parameters_.footprint) addInput("footprint", &Pipeline::receiveFootprint);
+  if (parameters_.ego_motion == EgoMotion::kOdom) addInput("odom", &Pipeline::receiveOdometry);
   worker_ = std::thread(&Node::work, this);
   heartbeat_ = std::thread(&Node::beat, this);
 }
@@ -81,24 +79,34 @@ Node::~Node() {
   heartbeat_.join();
 }
 
+void Node::addInput(const std::string& topic, Receive receive) {
+  inputs_.push_back({topic, receive, {}, false});
+  subscribe(inputs_.back());
+}
+
 /// Raw, so that the node sees every type and every malformed message itself.
 void Node::subscribe(Input& input) {
   const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
-      [this, receive = input.receive](const topic_tools::ShapeShifter::ConstPtr& message) {
-        guarded([&] { (pipeline_.*receive)(rawOf(*message), now()); });
+      [this, &input](const topic_tools::ShapeShifter::ConstPtr& message) {
+        input.connected = true;
+        guarded([&] { (pipeline_.*input.receive)(rawOf(*message), now()); });
       };
-  input.subscriber.shutdown();
   input.subscriber = node_.subscribe<topic_tools::ShapeShifter>(
       input.topic, kQueueSize, callback, {}, ros::TransportHints().tcpNoDelay());
 }
 
-/// roscpp's subscription to any type takes only the type of the first publisher it met, for ever.
-/// So once the publishers have gone, it is made anew, and the next may be of another type.
-void Node::renewSubscriptions() {
+/// roscpp keeps even a raw subscription to the type of the first publisher it met: publishers of
+/// another type cannot connect, and nobody hears of it. So it is renewed when its publishers are
+/// gone.
+void Node::renewAbandonedInputs() {
   for (Input& input : inputs_) {
     const bool connected = input.subscriber.getNumPublishers() > 0;
-    if (input.was_connected && !connected) subscribe(input);
-    input.was_connected = connected;
+    if (input.connected && !connected) {
+      queue_.callAvailable();  // what they sent last
+      input.subscriber.shutdown();
+      subscribe(input);
+    }
+    input.connected = connected;
   }
 }
 
@@ -114,7 +122,7 @@ void Node::work() {
       pipeline_.process(now());
       if (ros::SteadyTime::now() < next) return;
       warnings_.publish(pipeline_.repeat(now()));
-      renewSubscriptions();
+      renewAbandonedInputs();
       next = std::max(next + period, ros::SteadyTime::now());
     });
   }

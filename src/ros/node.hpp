@@ -10,9 +10,10 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <list>
 #include <mutex>
+#include <string>
 #include <thread>
-#include <vector>
 
 #include "diagnostics.hpp"
 #include "pipeline.hpp"
@@ -37,12 +38,13 @@ class Node {
   struct Input {
     std::string topic;
     Receive receive;
-    ros::Subscriber subscriber = {};
-    bool was_connected = false;
+    ros::Subscriber subscriber;
+    bool connected = false;  // since it was last looked at
   };
 
+  void addInput(const std::string& topic, Receive receive);
   void subscribe(Input& input);
-  void renewSubscriptions();
+  void renewAbandonedInputs();
   void work();
   void beat();
   void guarded(const std::function<void()>& step);
@@ -57,7 +59,7 @@ class Node {
   tf2_ros::TransformListener tf_listener_;
   Pipeline pipeline_;
   Diagnostics diagnostics_;
-  std::vector<Input> inputs_;
+  std::list<Input> inputs_;  // whose addresses stay
 
   std::mutex stop_mutex_;
   std::condition_variable stop_;

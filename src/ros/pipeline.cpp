@@ -138,7 +138,8 @@ void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
     if (header.stamp.isZero() && header.frame_id != parameters_.base_frame)
       throw TransformError("its stamp is 0, so its place on the robot is not known");
     const PlanarPose body = lookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp);
-    footprint_.emplace(toCore(message.polygon, body));
+    // Not emplace: it would lose the last good one when this throws.
+    footprint_ = core::Polygon(toCore(message.polygon, body));
   } catch (const TransformError& error) {
     footprint_refusal_.add(
         Warning::REASON_FOOTPRINT_INVALID | Warning::REASON_TRANSFORM,
