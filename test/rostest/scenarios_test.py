@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""Every scenario, replayed through the node, gives its exact answers for every segment and message."""
+import json
+import math
+import os
+import subprocess
+import tempfile
+
+import rospy
+from node_testing import PACKAGE, wait_until
+from recorded_data import play
+from ros_test_case import RosTestCase, run
+from roslib.packages import find_node
+
+TOLERANCE = 1e-6  # [s]
+
+
+def made(scenario, folder):
+    """Path of the scenario's bag, and its answers."""
+    bag = os.path.join(folder, scenario + '.bag')
+    subprocess.check_call([find_node(PACKAGE, 'make_scenario')[0], scenario, '-o', bag],
+                          stdout=subprocess.DEVNULL)
+    with open(os.path.join(folder, scenario + '.json')) as answers:
+        return bag, json.load(answers)
+
+
+def expected(seconds):
+    return math.inf if seconds is None else seconds
+
+
+class Scenarios(RosTestCase):
+    def test_crossing(self):
+        self.check('crossing')
+
+    def test_head_on(self):
+        self.check('head_on')
+
+    def test_near_miss(self):
+        self.check('near_miss')
+
+    def test_none(self):
+        self.check('none')
+
+    def check(self, scenario):
+        with tempfile.TemporaryDirectory() as folder:
+            bag, answers = made(scenario, folder)
+            node = self.rig(None, transform_tolerance=10.0, max_data_age=10.0,
+                            **answers['parameters'])
+            player = play(self, bag, ('obstacles', 'odom', '/tf'), '--rate', '4',
+                          'obstacles:=' + node.topic('obstacles'), 'odom:=' + node.topic('odom'))
+            self.assertEqual(player.wait(120), 0, 'exit status of rosbag play')
+        messages = answers['messages']
+        predictions = node.predictions.messages
+        wait_until(lambda: len(predictions) >= len(messages), '%d predictions' % len(messages))
+        self.assertEqual(len(predictions), len(messages))
+        for message, prediction in zip(messages, predictions):
+            self.compare(answers['start'], message, prediction)
+        warning = node.warnings.wait_for(
+            lambda w: w.header.stamp == predictions[-1].header.stamp, 'the last answer')
+        self.assertEqual(warning.collision_predicted, int(messages[-1]['time_to_collision'] is not None))
+
+    def compare(self, start, message, prediction):
+        stamp = prediction.header.stamp - rospy.Time(start)
+        self.assertAlmostEqual(stamp.to_sec(), message['t'], delta=1e-9)
+        times = [segment.time_to_collision for segment in prediction.segments]
+        for found, exact in zip(times, map(expected, message['segments'])):
+            self.assertTrue(found == exact or abs(found - exact) <= TOLERANCE,
+                            'at %r: found %r, exactly %r' % (message['t'], times, message))
+
+
+if __name__ == '__main__':
+    run('scenarios', Scenarios)
