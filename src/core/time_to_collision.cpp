@@ -59,9 +59,12 @@ std::optional<double> stepTowards(const Vec2& q, const Vec2& v, const Vec2& a, d
   const double half_slope = q.dot(v);
   const double f = (q.norm() - reach) * (q.norm() + reach);
   if (m >= 0 && half_slope >= 0) return std::nullopt;
-  // Equals half_slope^2 - f m, but does not cancel far from the end.
+  // half_slope^2 - f m cancels far from the end, and the same with the cross product cancels near
+  // it, where the path bends as the rim does and m is small: each would lead past the contact.
   const double c = cross(q, v);
-  const double discriminant = reach * reach * m - c * c - excess * q.squaredNorm();
+  const double discriminant = q.norm() < 2 * reach
+                                  ? half_slope * half_slope - f * m
+                                  : reach * reach * m - c * c - excess * q.squaredNorm();
   if (m > 0 && discriminant < 0) return std::nullopt;
   const double root = std::sqrt(std::max(discriminant, 0.0));
   return half_slope < 0 ? f / (root - half_slope) : (half_slope + root) / -m;

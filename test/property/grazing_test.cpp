@@ -9,5 +9,9 @@ namespace {
 
 TEST(Grazing, AnEndHoldsTheGuarantee) { runSuite("grazing an end", 200000, grazingEnd); }
 
+TEST(Grazing, OsculatingAnEndHoldsTheGuarantee) {
+  runSuite("osculating an end", 100000, osculating);
+}
+
 }  // namespace
 }  // namespace footprint_collision_predictor::test

@@ -86,6 +86,28 @@ Case grazingEnd(Random& random) {
   return {s, {position, velocity - nearest_time * acceleration, acceleration}, radius, 20};
 }
 
+Case osculating(Random& random) {
+  const Segment s = anySegment(random);
+  const Vec2 along = (s.end - s.start).normalized();
+  Vec2 outwards = random.direction();
+  if (outwards.dot(along) > 0) outwards = -outwards;
+  const double radius = random.logUniform(1e-1, 1e2);
+  const double speed = random.logUniform(1e-2, 1e1);
+  const Vec2 side = random.sign() * core::leftNormal(outwards);
+  const double inwards = random.sign() * random.logUniform(1e-12, 1e-2);
+  const Vec2 velocity = speed * (side + inwards * outwards);
+  const double bend = 1 + random.sign() * random.logUniform(1e-12, 1);
+  const Vec2 acceleration =
+      speed * speed / radius * (random.uniform(-1, 1) * side - bend * outwards);
+  const double time = random.uniform(0, 2) * radius / speed;
+  const Vec2 centre = s.start + almost(radius, random) * outwards;
+  return {s,
+          {centre - time * (velocity - (0.5 * time) * acceleration), velocity - time * acceleration,
+           acceleration},
+          radius,
+          std::min(core::kMaxHorizon, 3 * time)};
+}
+
 Case touchingNow(Random& random) {
   const Segment s = anySegment(random);
   const Touch touch = touchOf(s, random);

@@ -22,6 +22,10 @@ Case anyCase(Random& random);
 /// or 1 to 4 ulp beside it, or exactly at it.
 Case grazingEnd(Random& random);
 
+/// Grazes one end on a path that is curved almost as the circle's rim is: the gap stays near 0 for
+/// long, and its first and second derivative almost vanish.
+Case osculating(Random& random);
+
 /// Touches the segment at t = 0, but for +-1e-16 .. 1e-6 m, and moves in, out or alongside.
 Case touchingNow(Random& random);
 
