@@ -94,4 +94,9 @@ std::string staleText(const std::string& topic, double age, double max_data_age)
               duration(max_data_age), "): is its source running?");
 }
 
+std::string ignoredText(const std::string& topic, std::size_t so_far) {
+  return join("a message on ", topic, " older than the newest was ignored (", so_far,
+              " so far): do several sources publish there?");
+}
+
 }  // namespace footprint_collision_predictor

@@ -49,4 +49,7 @@ Findings odometryFindings(const nav_msgs::Odometry& odometry, const Moment& now,
 /// "the newest message on ... is ... old"
 std::string staleText(const std::string& topic, double age, double max_data_age);
 
+/// "a message on ... older than the newest was ignored"
+std::string ignoredText(const std::string& topic, std::size_t so_far);
+
 }  // namespace footprint_collision_predictor

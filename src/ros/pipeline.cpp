@@ -87,6 +87,8 @@ void Pipeline::watchClock(const Moment& now) {
   if (!clock_.jumpedBack(now)) return;
   ROS_WARN_STREAM("the clock jumped back to " << now.ros
                                               << ": all inputs of the old time are dropped");
+  jump_ = {};
+  jump_.add(Warning::REASON_CLOCK, "the clock was set back, so that earlier inputs do not count");
   tf_.clear();
   queue_.clear();
   odometry_.clear();
@@ -103,8 +105,7 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   if (unusable.makeUnknown()) return refuse(unusable, now);
   if (newest_ && stamp < newest_->ros) {
     Findings ignored;
-    ignored.add(Warning::REASON_OUT_OF_ORDER,
-                "a message on " + names_.obstacles + " older than the newest was ignored");
+    ignored.add(Warning::REASON_OUT_OF_ORDER, ignoredText(names_.obstacles, ++ignored_obstacles_));
     return publish_(warningNow(now, false, ignored), std::nullopt);
   }
   std::optional<Scene> scene;
@@ -119,7 +120,7 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   if (newest_ && secondsBetween(newest_->ros, stamp) > parameters_.max_data_age)
     hold_.restartCount();
   newest_ = Moment{stamp, arrived.steady};
-  obstacles_refusal_ = {};
+  obstacles_refusal_ = jump_ = {};
   scene_ = std::move(scene);
   Findings findings = standingFindings(now);
   if (!scene_) return publish_(warning(nullptr, stamp, findings, now, true), std::nullopt);
@@ -194,6 +195,7 @@ CollisionWarning Pipeline::warning(const Evaluated* evaluated, const ros::Time& 
 
 Findings Pipeline::standingFindings(const Moment& now) const {
   Findings findings = clock_.findings(now);
+  findings.add(jump_);
   findings.add(obstacles_refusal_);
   findings.add(footprint_refusal_);
   findings.add(odometry_refusal_);

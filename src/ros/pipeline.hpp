@@ -80,6 +80,9 @@ class Pipeline {
   Findings obstacles_refusal_;    // why the newest message of a kind was refused, until a good one
   Findings footprint_refusal_;    // comes
   Findings odometry_refusal_;
+  Findings jump_;  // that the clock jumped back, until a good obstacles message of the new time
+  std::size_t ignored_obstacles_ = 0;  // messages older than the newest
+  std::size_t ignored_odometry_ = 0;
 };
 
 }  // namespace footprint_collision_predictor

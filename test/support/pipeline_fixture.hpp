@@ -74,8 +74,12 @@ class PipelineFixture : public testing::Test {
   }
 
   void sendOdometry(double now, double vx, double yaw_rate = 0) {
+    sendOdometry(now, now, vx, yaw_rate);
+  }
+
+  void sendOdometry(double now, double stamp, double vx, double yaw_rate) {
     nav_msgs::Odometry odometry;
-    odometry.header.stamp = ros::Time(now);
+    odometry.header.stamp = ros::Time(stamp);
     odometry.child_frame_id = "base_link";
     odometry.twist.twist.linear.x = vx;
     odometry.twist.twist.angular.z = yaw_rate;

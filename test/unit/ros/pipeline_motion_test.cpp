@@ -131,9 +131,22 @@ TEST_F(PipelineMotion, Fault19AClockThatJumpsBackDropsTheOldTime) {
   send(100, {circleAhead(3, 2)});
   const Warning after = pipeline().repeat({ros::Time(50), ros::SteadyTime(100.1)});
   EXPECT_EQ(after.level, Warning::UNKNOWN);
-  EXPECT_EQ(after.reason, Warning::REASON_OBSTACLES_MISSING);
+  EXPECT_EQ(after.reason, Warning::REASON_CLOCK | Warning::REASON_OBSTACLES_MISSING);
   pipeline().process({ros::Time(50.1), ros::SteadyTime(100.2)});
-  EXPECT_EQ(send(50.2, {circleAhead(3, 2)}).level, Warning::CRITICAL);
+  const Warning recovered = send(50.2, {circleAhead(3, 2)});
+  EXPECT_EQ(recovered.level, Warning::CRITICAL);
+  EXPECT_EQ(recovered.reason, 0u);
+}
+
+TEST_F(PipelineMotion, Fault22OlderOdometryIsIgnoredAndCounted) {
+  sendOdometry(100, 1);
+  sendOdometry(100.02, 99.98, 5, 0);
+  const Warning warning = send(100.02, 100, {circleAhead(2, 0)});
+  EXPECT_NEAR(warning.time_to_collision, 1, 1e-9);
+  EXPECT_EQ(warning.reason, Warning::REASON_OUT_OF_ORDER);
+  EXPECT_NE(warning.message.find("/odom older than the newest was ignored (1 so far)"),
+            std::string::npos)
+      << warning.message;
 }
 
 }  // namespace
