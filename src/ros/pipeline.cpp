@@ -60,10 +60,13 @@ void Pipeline::receiveOdometry(const RawMessage& raw, const Moment& now) {
   if (problem.makeUnknown()) return;
   const auto& twist = message->twist.twist;
   const std::string& frame = message->child_frame_id;
-  odometry_.add({message->header.stamp,
-                 now.steady,
-                 frame.empty() ? parameters_.base_frame : frame,
-                 {{twist.linear.x, twist.linear.y}, twist.angular.z}});
+  const bool taken = odometry_.add({message->header.stamp,
+                                    now.steady,
+                                    frame.empty() ? parameters_.base_frame : frame,
+                                    {{twist.linear.x, twist.linear.y}, twist.angular.z}});
+  if (!taken)
+    odometry_refusal_.add(Warning::REASON_OUT_OF_ORDER,
+                          ignoredText(names_.odom, ++ignored_odometry_));
   process(now);
 }
 
