@@ -40,6 +40,9 @@ class LevelHold {
 
   /// Takes the level that one obstacles message gives.
   void update(Level seen);
+  /// Takes the level that a message with the stamp of the newest one gives: both count as one, at
+  /// the worse of their levels.
+  void replaceNewest(Level seen);
   /// After a gap in the messages: what is held stays, the count of lower ones starts again.
   void restartCount();
   /// What to show, given what is seen at this moment (by a message, or by a repeat between

@@ -26,29 +26,47 @@ Feature featureOf(const Segment& segment, const Vec2& point) {
   return point == segment.end ? Feature::kEnd : Feature::kInside;
 }
 
-/// A vertex belongs to two segments; the lower index is named.
-std::size_t lowerIndexAt(const Contact& contact, std::size_t segment, std::size_t size) {
-  if (contact.feature == Feature::kStart) return segment == 0 ? 0 : segment - 1;
-  if (contact.feature == Feature::kEnd && segment + 1 == size) return 0;
-  return segment;
+/// The other segment at the vertex that a contact names; nothing when it is inside of its segment.
+std::optional<std::size_t> neighbourAt(Feature feature, std::size_t segment, std::size_t size) {
+  if (feature == Feature::kStart) return (segment + size - 1) % size;
+  if (feature == Feature::kEnd) return (segment + 1) % size;
+  return std::nullopt;
+}
+
+/// A touch of a vertex is one of both its segments, at the same time. Each has found it by itself,
+/// but for rounding.
+void shareVertexContacts(const Polygon& footprint,
+                         std::vector<std::optional<SegmentContact>>& segments) {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (!segments[i]) continue;
+    const SegmentContact& hit = *segments[i];
+    const auto neighbour = neighbourAt(hit.contact.feature, i, segments.size());
+    if (!neighbour) continue;
+    auto& other = segments[*neighbour];
+    if (other && other->contact.time <= hit.contact.time) continue;
+    other = hit;
+    other->contact.feature = featureOf(footprint.segment(*neighbour), hit.contact.point);
+  }
 }
 
 /// Speed at which the gap shrinks at the contact [m/s].
 double closingSpeed(const Polygon& footprint, const FootprintContact& first, const Motion& motion) {
   const Contact& contact = first.contact;
-  const Vec2 velocity = motion.velocityAt(contact.time);
-  const Motion from_contact{motion.position - contact.point, motion.velocity, motion.acceleration};
-  const Vec2 away = from_contact.positionAt(contact.time);
   const Segment segment = footprint.segment(first.segment);
-  const double tolerance = contactTolerance(segment, motion, 0, contact.time);
-  if (away.norm() > tolerance) {
+  // From the segment's start, so that nothing is lost far from the origin.
+  const Segment local{Vec2::Zero(), segment.end - segment.start};
+  const Motion centre{motion.position - segment.start, motion.velocity, motion.acceleration};
+  const Vec2 position = centre.positionAt(contact.time);
+  const Vec2 away = position - closestPoint(local, position);
+  const Vec2 velocity = motion.velocityAt(contact.time);
+  if (away.norm() > contactTolerance(segment, motion, 0, contact.time)) {
     const bool inside = contact.time == 0 && footprint.contains(motion.position);
     return std::max(0.0, velocity.dot(away.normalized()) * (inside ? 1 : -1));
   }
   // A centre on the boundary itself, as that of a point obstacle, has the segment's normal; a
   // vertex has many, of which the one against the velocity is the worst.
   if (contact.feature != Feature::kInside) return velocity.norm();
-  const Vec2 left = leftNormal(segment.end - segment.start).normalized();
+  const Vec2 left = leftNormal(local.end).normalized();
   return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
 }
 
@@ -62,20 +80,13 @@ bool comesFirst(const Segment& segment, const Contact& candidate, const Obstacle
   return gap(obstacle) < gap(known_obstacle);
 }
 
-/// The first contact of all segments.
+/// The first contact of all segments, of those at a vertex the one with the lower index.
 std::optional<FootprintContact> firstOf(
-    const Polygon& footprint, const std::vector<std::optional<SegmentContact>>& segments) {
+    const std::vector<std::optional<SegmentContact>>& segments) {
   std::optional<FootprintContact> first;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (segments[i] && (!first || segments[i]->contact.time < first->contact.time))
       first = FootprintContact{segments[i]->contact, i, segments[i]->obstacle, 0};
-  }
-  if (!first) return first;
-  const std::size_t lower = lowerIndexAt(first->contact, first->segment, segments.size());
-  const auto& other = segments[lower];
-  if (other && other->obstacle == first->obstacle && other->contact.point == first->contact.point) {
-    first->segment = lower;
-    first->contact.feature = featureOf(footprint.segment(lower), first->contact.point);
   }
   return first;
 }
@@ -85,7 +96,8 @@ FootprintContact contactNow(const Polygon& footprint, const Vec2& centre, std::s
                             std::size_t obstacle) {
   const Vec2 point = closestPoint(footprint.segment(nearest), centre);
   Contact contact{0, featureOf(footprint.segment(nearest), point), point};
-  const std::size_t segment = lowerIndexAt(contact, nearest, footprint.size());
+  const auto neighbour = neighbourAt(contact.feature, nearest, footprint.size());
+  const std::size_t segment = std::min(nearest, neighbour.value_or(nearest));
   contact.feature = featureOf(footprint.segment(segment), point);
   return {contact, segment, obstacle, 0};
 }
@@ -118,7 +130,8 @@ Prediction predict(const Polygon& footprint, const Twist& twist,
       deepest_now = contactNow(footprint, motion.position, nearest.segment, j);
     if (smallest) prediction.clearance = clearance;
   }
-  prediction.first = deepest_now ? deepest_now : firstOf(footprint, prediction.segments);
+  shareVertexContacts(footprint, prediction.segments);
+  prediction.first = deepest_now ? deepest_now : firstOf(prediction.segments);
   if (prediction.first) {
     const Obstacle& obstacle = obstacles[prediction.first->obstacle];
     prediction.first->closing_speed =

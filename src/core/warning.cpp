@@ -41,6 +41,12 @@ void LevelHold::update(Level seen) {
   next_ = (next_ + 1) % recent_.size();
 }
 
+void LevelHold::replaceNewest(Level seen) {
+  if (seen == Level::kUnknown) return reset();
+  Level& newest = recent_[(next_ + recent_.size() - 1) % recent_.size()];
+  newest = worse(newest, seen);
+}
+
 void LevelHold::restartCount() { std::fill(recent_.begin(), recent_.end(), held()); }
 
 Level LevelHold::shown(Level seen) const {

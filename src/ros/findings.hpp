@@ -14,9 +14,10 @@ constexpr std::uint32_t kFirstDegradedReason = 1u << 24;
 
 class Findings {
  public:
-  /// The first words for a reason stay: the same reason found again adds none.
+  /// The same words again add nothing.
   void add(std::uint32_t reason, const std::string& words) {
-    if ((reasons_ | reason) == reasons_) return;
+    for (const Finding& known : list_)
+      if (known.words == words) return;
     reasons_ |= reason;
     list_.push_back({reason, words});
   }

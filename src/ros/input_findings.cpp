@@ -9,9 +9,6 @@
 namespace footprint_collision_predictor {
 namespace {
 
-// [s] How far ahead of the clock a stamp may be.
-constexpr double kLargestLead = 0.05;
-
 template <typename... Parts>
 std::string join(const Parts&... parts) {
   std::ostringstream text;
@@ -43,7 +40,7 @@ Findings impossibleStamp(const ros::Time& stamp, const ros::Time& clock, const s
 
 }  // namespace
 
-Findings refusal(const Input& input, std::uint32_t reason, const std::string& why) {
+Findings refusal(const InputReasons& input, std::uint32_t reason, const std::string& why) {
   Findings findings;
   findings.add(reason, "the message on " + input.topic + " is refused: " + why);
   return findings;

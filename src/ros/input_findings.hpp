@@ -13,18 +13,21 @@
 
 namespace footprint_collision_predictor {
 
+// [s] How far ahead of the clock a stamp may be.
+constexpr double kLargestLead = 0.05;
+
 /// An input and the reasons that a refusal of it sets.
-struct Input {
+struct InputReasons {
   std::string topic;
   std::uint32_t invalid;
   std::uint32_t wrong_type;
 };
 
-Findings refusal(const Input& input, std::uint32_t reason, const std::string& why);
+Findings refusal(const InputReasons& input, std::uint32_t reason, const std::string& why);
 
 /// What the decoder returns; or nothing, and a finding with what it threw.
 template <typename Decode>
-auto decodedOrRefused(const Decode& decode, const Input& input, Findings& findings)
+auto decodedOrRefused(const Decode& decode, const InputReasons& input, Findings& findings)
     -> std::optional<decltype(decode())> {
   try {
     return decode();

@@ -50,21 +50,18 @@ Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
       private_node_(private_node),
       predictions_(node_.advertise<CollisionPrediction>("collision_prediction", kQueueSize)),
       warnings_(node_),
-      tf_listener_(tf_, node_, true),
+
       pipeline_(parameters_,
                 {node_.resolveName("obstacles"), node_.resolveName("footprint"),
                  node_.resolveName("odom")},
-                tf_, ros::Time::isSimTime(),
-                [this](const CollisionWarning& warning,
-                       const std::optional<CollisionPrediction>& prediction) {
-                  if (prediction) predictions_.publish(*prediction);
-                  warnings_.publish(warning);
-                }),
+                tf_, ros::Time::isSimTime(), [this](const Answer& answer) { publish(answer); }),
       diagnostics_(node_, private_node_, warnings_) {
   node_.setCallbackQueue(&queue_);
   addInput("obstacles", &Pipeline::receiveObstacles);
   if (!parameters_.footprint) addInput("footprint", &Pipeline::receiveFootprint);
   if (parameters_.ego_motion == EgoMotion::kOdom) addInput("odom", &Pipeline::receiveOdometry);
+  subscribeTransforms("/tf", false);
+  subscribeTransforms("/tf_static", true);
   worker_ = std::thread(&Node::work, this);
   heartbeat_ = std::thread(&Node::beat, this);
 }
@@ -82,6 +79,35 @@ Node::~Node() {
 void Node::addInput(const std::string& topic, Receive receive) {
   inputs_.push_back({topic, receive, {}, false});
   subscribe(inputs_.back());
+}
+
+/// tf2_ros's own listener lets a stamp that tf2 cannot compute with end the process.
+void Node::takeTransforms(const tf2_msgs::TFMessage& message, bool fixed) {
+  for (const auto& transform : message.transforms) {
+    try {
+      tf_.setTransform(transform, "tf", fixed);
+    } catch (const std::exception& error) {
+      ROS_ERROR_STREAM_THROTTLE(1, "the transform from " << transform.header.frame_id << " to "
+                                                         << transform.child_frame_id << " stamped "
+                                                         << transform.header.stamp
+                                                         << " is ignored: " << error.what());
+    }
+  }
+}
+
+void Node::subscribeTransforms(const std::string& topic, bool fixed) {
+  const boost::function<void(const tf2_msgs::TFMessage::ConstPtr&)> callback =
+      [this, fixed](const tf2_msgs::TFMessage::ConstPtr& message) {
+        takeTransforms(*message, fixed);
+      };
+  transform_subscribers_.push_back(
+      node_.subscribe<tf2_msgs::TFMessage>(topic, kQueueSize, callback));
+}
+
+void Node::publish(const Answer& answer) {
+  if (answer.prediction) predictions_.publish(*answer.prediction);
+  const double elapsed = secondsBetween(answer.now.steady, ros::SteadyTime::now());
+  warnings_.publish(finishedAfter(elapsed, answer.warning, parameters_));
 }
 
 /// Raw, so that the node sees every type and every malformed message itself.
@@ -121,9 +147,10 @@ void Node::work() {
     guarded([&] {
       pipeline_.process(now());
       if (ros::SteadyTime::now() < next) return;
-      warnings_.publish(pipeline_.repeat(now()));
-      renewAbandonedInputs();
       next = std::max(next + period, ros::SteadyTime::now());
+      const Moment then = now();
+      publish({pipeline_.repeat(then), {}, then});
+      renewAbandonedInputs();
     });
   }
 }
@@ -136,14 +163,13 @@ void Node::beat() {
   const auto stopped = [this] { return !running_; };
   std::unique_lock<std::mutex> lock(stop_mutex_);
   while (!stop_.wait_for(lock, std::chrono::duration<double>(period), stopped)) {
-    if (warnings_.silence() < 1.5 * period) continue;
-    const double hang = 1e-9 * static_cast<double>(ros::SteadyTime::now().toNSec() - progress_);
-    if (hang > patience)
-      warnings_.publish(unknown(parameters_, "no evaluation has finished for " +
-                                                 std::to_string(hang) +
-                                                 " s: the machine is overloaded"));
-    else
-      warnings_.publishAgain();
+    warnings_.publishIfSilent(1.5 * period, [&](const CollisionWarning& last, double silence) {
+      const std::uint64_t progress = progress_;  // first, so that the difference is not negative
+      const double hang = 1e-9 * static_cast<double>(ros::SteadyTime::now().toNSec() - progress);
+      if (hang <= patience) return olderBy(silence, last, parameters_);
+      return unknown(parameters_, "no evaluation has finished for " + std::to_string(hang) +
+                                      " s: too many obstacles, or an overloaded machine");
+    });
   }
 }
 

@@ -4,7 +4,7 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <tf2/buffer_core.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -45,6 +45,9 @@ class Node {
   void addInput(const std::string& topic, Receive receive);
   void subscribe(Input& input);
   void renewAbandonedInputs();
+  void subscribeTransforms(const std::string& topic, bool fixed);
+  void takeTransforms(const tf2_msgs::TFMessage& message, bool fixed);
+  void publish(const Answer& answer);
   void work();
   void beat();
   void guarded(const std::function<void()>& step);
@@ -56,15 +59,17 @@ class Node {
   ros::Publisher predictions_;
   WarningPublisher warnings_;
   tf2::BufferCore tf_;
-  tf2_ros::TransformListener tf_listener_;
+
   Pipeline pipeline_;
   Diagnostics diagnostics_;
   std::list<Input> inputs_;  // whose addresses stay
+  std::vector<ros::Subscriber> transform_subscribers_;
 
   std::mutex stop_mutex_;
   std::condition_variable stop_;
   std::atomic<bool> running_{true};
-  std::atomic<std::uint64_t> progress_{0};  // steady time [ns] at which the worker last came round
+  std::atomic<std::uint64_t> progress_{
+      ros::SteadyTime::now().toNSec()};  // steady time [ns] at which the worker last came round
   std::thread worker_;
   std::thread heartbeat_;
 };

@@ -29,6 +29,10 @@ void requireUsable(const Obstacle& o) {
   requireFinite("position.z", o.position.z);
   requireFinite("velocity.z", o.velocity.z);
   requireFinite("acceleration.z", o.acceleration.z);
+  if (o.outline.size() == 1)
+    throw core::InvalidObstacle(
+        "outline has 1 vertex; allowed are none for a circle, 2 for a line, "
+        "or more");
   for (const auto& vertex : o.outline) {
     core::Obstacle({{vertex.x, vertex.y}, {0, 0}, {0, 0}}, 0);
     requireFinite("outline z", vertex.z);

@@ -25,6 +25,10 @@ std::optional<OdometrySample> OdometryHistory::at(const ros::Time& stamp) const 
   return *std::prev(after);
 }
 
+void OdometryHistory::dropAfter(const ros::Time& stamp) {
+  while (!samples_.empty() && samples_.back().stamp > stamp) samples_.pop_back();
+}
+
 bool OdometryHistory::reaches(const ros::Time& stamp) const {
   return !samples_.empty() && samples_.back().stamp >= stamp;
 }

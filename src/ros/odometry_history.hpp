@@ -27,6 +27,8 @@ class OdometryHistory {
   std::optional<OdometrySample> at(const ros::Time& stamp) const;
   /// Whether one at or after the stamp has come, so that no better answer for it can follow.
   bool reaches(const ros::Time& stamp) const;
+  /// Forgets those after the stamp.
+  void dropAfter(const ros::Time& stamp);
   bool empty() const { return samples_.empty(); }
   void clear() { samples_.clear(); }
 

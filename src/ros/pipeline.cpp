@@ -1,9 +1,6 @@
 #include "pipeline.hpp"
 
-#include <ros/console.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "input_findings.hpp"
 
@@ -17,10 +14,9 @@ Pipeline::Pipeline(const Parameters& parameters, const InputNames& names, tf2::B
       names_(names),
       tf_(tf),
       publish_(std::move(publish)),
-      clock_(simulated_clock, parameters.max_data_age),
+      inputs_(parameters, names, simulated_clock),
       hold_(parameters.clear_after),
-      queue_(parameters_, tf_, odometry_),
-      footprint_(parameters.footprint) {}
+      queue_(parameters_, tf_, inputs_.odometry()) {}
 
 void Pipeline::receiveObstacles(const RawMessage& raw, const Moment& now) {
   watchClock(now);
@@ -29,8 +25,10 @@ void Pipeline::receiveObstacles(const RawMessage& raw, const Moment& now) {
       [&] { return decodeObstacles(raw, parameters_); },
       {names_.obstacles, Warning::REASON_OBSTACLES_INVALID, Warning::REASON_OBSTACLES_TYPE},
       problem);
-  if (!message) return refuse(problem, now);
-  queue_.push({now, std::move(*message)});
+  if (message)
+    queue_.push({now, std::move(*message)});
+  else
+    queue_.push({now, Refusal{problem, Refusal::Of::kObstacles}});
   process(now);
 }
 
@@ -41,11 +39,10 @@ void Pipeline::receiveFootprint(const RawMessage& raw, const Moment& now) {
       [&] { return decodeFootprint(raw, parameters_.max_vertices); },
       {names_.footprint, Warning::REASON_FOOTPRINT_INVALID, Warning::REASON_FOOTPRINT_INVALID},
       problem);
-  if (!message) {
-    footprint_refusal_ = problem;
-    return;
-  }
-  queue_.push({now, std::move(*message)});
+  if (message)
+    queue_.push({now, std::move(*message)});
+  else
+    queue_.push({now, Refusal{problem, Refusal::Of::kFootprint}});
   process(now);
 }
 
@@ -56,49 +53,49 @@ void Pipeline::receiveOdometry(const RawMessage& raw, const Moment& now) {
       [&] { return decodeOdometry(raw); },
       {names_.odom, Warning::REASON_ODOM_INVALID, Warning::REASON_ODOM_INVALID}, problem);
   if (message) problem = odometryFindings(*message, now, names_.odom);
-  odometry_refusal_ = problem;
-  if (problem.makeUnknown()) return;
+  if (problem.makeUnknown()) return inputs_.refuseOdometry(problem);
   const auto& twist = message->twist.twist;
   const std::string& frame = message->child_frame_id;
-  const bool taken = odometry_.add({message->header.stamp,
-                                    now.steady,
-                                    frame.empty() ? parameters_.base_frame : frame,
-                                    {{twist.linear.x, twist.linear.y}, twist.angular.z}});
-  if (!taken)
-    odometry_refusal_.add(Warning::REASON_OUT_OF_ORDER,
-                          ignoredText(names_.odom, ++ignored_odometry_));
+  inputs_.acceptOdometry({message->header.stamp,
+                          now.steady,
+                          frame.empty() ? parameters_.base_frame : frame,
+                          {{twist.linear.x, twist.linear.y}, twist.angular.z}});
   process(now);
 }
 
 void Pipeline::process(const Moment& now) {
   watchClock(now);
-  while (const auto waiting = queue_.pop(now)) {
-    if (const auto* obstacles = std::get_if<ObstacleArray>(&waiting->message))
-      evaluate(*obstacles, waiting->arrived, now);
-    else
-      adopt(std::get<geometry_msgs::PolygonStamped>(waiting->message));
-  }
+  while (const auto waiting = queue_.pop(now)) take(*waiting, now);
 }
 
 CollisionWarning Pipeline::repeat(const Moment& now) {
   watchClock(now);
-  return warningNow(now, false);
+  return warningNow(now, Counts::kNot);
 }
 
-/// A looped recording or restarted simulator: all that belongs to the old time goes.
 void Pipeline::watchClock(const Moment& now) {
-  if (!clock_.jumpedBack(now)) return;
-  ROS_WARN_STREAM("the clock jumped back to " << now.ros
-                                              << ": all inputs of the old time are dropped");
-  jump_ = {};
-  jump_.add(Warning::REASON_CLOCK, "the clock was set back, so that earlier inputs do not count");
+  if (!inputs_.forgetIfClockJumpedBack(now)) return;
   tf_.clear();
   queue_.clear();
-  odometry_.clear();
   hold_.reset();
   scene_.reset();
-  newest_.reset();
-  obstacles_refusal_ = footprint_refusal_ = odometry_refusal_ = {};
+}
+
+void Pipeline::take(const Waiting& waiting, const Moment& now) try {
+  if (const auto* refusal = std::get_if<Refusal>(&waiting.message)) {
+    if (refusal->of == Refusal::Of::kObstacles) return refuse(refusal->why, now);
+    return inputs_.refuseFootprint(refusal->why);
+  }
+  if (const auto* footprint = std::get_if<geometry_msgs::PolygonStamped>(&waiting.message))
+    return adopt(*footprint);
+  evaluate(std::get<ObstacleArray>(waiting.message), waiting.arrived, now);
+} catch (const std::exception& error) {
+  // Nothing throws here as far as is known; if something does, it must not look like nothing.
+  scene_.reset();
+  Findings failed;
+  failed.add(Warning::REASON_OBSTACLES_INVALID,
+             std::string("a message could not be evaluated: ") + error.what());
+  refuse(failed, now);
 }
 
 void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, const Moment& now) {
@@ -106,143 +103,98 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   const Findings unusable =
       headerFindings(message.header, arrived, now, parameters_.max_data_age, names_.obstacles);
   if (unusable.makeUnknown()) return refuse(unusable, now);
-  if (newest_ && stamp < newest_->ros) {
-    Findings ignored;
-    ignored.add(Warning::REASON_OUT_OF_ORDER, ignoredText(names_.obstacles, ++ignored_obstacles_));
-    return publish_(warningNow(now, false, ignored), std::nullopt);
-  }
+  const auto newest = inputs_.newest();
+  if (newest && stamp < newest->ros)
+    return publish_({warningNow(now, Counts::kNot, inputs_.ignoreObstacles()), {}, now});
   std::optional<Scene> scene;
   try {
-    if (footprint_)
-      scene = makeScene(message, arrived.steady, *footprint_, odometry_, tf_, parameters_);
+    if (inputs_.footprint())
+      scene = makeScene(message, arrived.steady, *inputs_.footprint(), inputs_.odometry(), tf_,
+                        parameters_);
   } catch (const TransformError& error) {
     Findings untransformed;
     untransformed.add(Warning::REASON_TRANSFORM, error.what());
     return refuse(untransformed, now);
   }
-  if (newest_ && secondsBetween(newest_->ros, stamp) > parameters_.max_data_age)
-    hold_.restartCount();
-  newest_ = Moment{stamp, arrived.steady};
-  obstacles_refusal_ = jump_ = {};
+  if (newest && secondsBetween(newest->ros, stamp) > parameters_.max_data_age) hold_.restartCount();
+  inputs_.acceptObstacles({stamp, arrived.steady});
   scene_ = std::move(scene);
-  Findings findings = standingFindings(now);
-  if (!scene_) return publish_(warning(nullptr, stamp, findings, now, true), std::nullopt);
+  const Counts counts = newest && newest->ros == stamp ? Counts::kAsReplacement : Counts::kAsNew;
+  Findings findings = inputs_.tooOld(now, scene_ ? scene_->odometry : std::nullopt);
+  const bool usable = scene_ && !findings.makeUnknown();
+  findings.add(inputs_.standing());
+  if (!usable) return publish_({warning(nullptr, stamp, findings, now, counts), {}, now});
   findings.add(scene_->findings);
   const Evaluated evaluated{*scene_, core::predict(scene_->footprint, scene_->twist,
                                                    scene_->circles.obstacles, scene_->horizon)};
   const CollisionPrediction prediction = predictionMsg(evaluated, findings, parameters_);
-  publish_(warning(&evaluated, stamp, findings, now, true), prediction);
+  publish_({warning(&evaluated, stamp, findings, now, counts), prediction, now});
 }
 
 void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
-  footprint_refusal_ = {};
   const std_msgs::Header& header = message.header;
+  Findings problem;
   try {
     if (header.frame_id.empty()) throw TransformError("its frame_id is empty");
     if (header.stamp.isZero() && header.frame_id != parameters_.base_frame)
       throw TransformError("its stamp is 0, so its place on the robot is not known");
     const PlanarPose body = lookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp);
-    // Not emplace: it would lose the last good one when this throws.
-    footprint_ = core::Polygon(toCore(message.polygon, body));
+    inputs_.acceptFootprint(core::Polygon(toCore(message.polygon, body)));
+    if (scene_) scene_->footprint = *inputs_.footprint();
+    return;
   } catch (const TransformError& error) {
-    footprint_refusal_.add(
-        Warning::REASON_FOOTPRINT_INVALID | Warning::REASON_TRANSFORM,
-        "the footprint on " + names_.footprint + " cannot be used: " + error.what());
+    problem.add(Warning::REASON_FOOTPRINT_INVALID | Warning::REASON_TRANSFORM,
+                "the footprint on " + names_.footprint + " cannot be used: " + error.what());
   } catch (const core::InvalidPolygon& error) {
-    footprint_refusal_.add(Warning::REASON_FOOTPRINT_INVALID,
-                           "the footprint on " + names_.footprint + " is refused: " + error.what());
+    problem.add(Warning::REASON_FOOTPRINT_INVALID,
+                "the footprint on " + names_.footprint + " is refused: " + error.what());
   }
+  inputs_.refuseFootprint(problem);
 }
 
 /// The last good message stays predicted, but the level is at least UNKNOWN until a good one comes.
 void Pipeline::refuse(const Findings& why, const Moment& now) {
-  obstacles_refusal_ = why;
-  publish_(warningNow(now, true), std::nullopt);
+  inputs_.refuseObstacles(why);
+  publish_({warningNow(now, Counts::kAsNew), {}, now});
 }
 
-/// \param counts whether this is what an obstacles message gives, which alone changes the level
-/// held
-CollisionWarning Pipeline::warningNow(const Moment& now, bool counts, Findings findings) {
-  Findings too_old = clock_.findings(now);
-  too_old.add(staleness(now));
-  findings.add(too_old);
-  findings.add(standingFindings(now));
-  if (!scene_ || too_old.makeUnknown()) return warning(nullptr, now.ros, findings, now, counts);
+CollisionWarning Pipeline::warningNow(const Moment& now, Counts counts, Findings findings) {
+  findings.add(inputs_.tooOld(now, scene_ ? scene_->odometry : std::nullopt));
+  const bool usable = scene_ && !findings.makeUnknown();
+  findings.add(inputs_.standing());
+  if (!usable) return warning(nullptr, now.ros, findings, now, counts);
   findings.add(scene_->findings);
-  const ros::Time stamp = std::max(now.ros, scene_->stamp);
+  // Without known motions nothing can be carried on: what touched at the stamp is all that is
+  // certain.
+  const bool moves = scene_->horizon > 0;
+  const ros::Time stamp = moves ? std::max(now.ros, scene_->stamp) : scene_->stamp;
   const auto obstacles = carriedOn(*scene_, secondsBetween(scene_->stamp, stamp));
   const Evaluated evaluated{
       *scene_, core::predict(scene_->footprint, scene_->twist, obstacles, scene_->horizon)};
   return warning(&evaluated, stamp, findings, now, counts);
 }
 
+/// \param counts only obstacles messages change the level that is held
 CollisionWarning Pipeline::warning(const Evaluated* evaluated, const ros::Time& stamp,
-                                   Findings& findings, const Moment& now, bool counts) {
-  std::optional<double> time_to_collision;
-  if (evaluated && evaluated->prediction.first)
-    time_to_collision = evaluated->prediction.first->contact.time;
-  const core::Level seen =
-      core::assess(time_to_collision, !findings.makeUnknown(), parameters_.thresholds);
-  if (counts) hold_.update(seen);
+                                   Findings& findings, const Moment& now, Counts counts) {
+  core::Level seen = core::Level::kUnknown;
+  if (evaluated) {
+    const auto& first = evaluated->prediction.first;
+    seen = core::assess(first ? std::make_optional(first->contact.time) : std::nullopt,
+                        !findings.makeUnknown(), parameters_.thresholds);
+  }
+  if (counts == Counts::kAsNew) hold_.update(seen);
+  if (counts == Counts::kAsReplacement) hold_.replaceNewest(seen);
   const core::Level level = hold_.shown(seen);
   const std::string in_a_row =
       std::to_string(parameters_.clear_after) + " obstacles messages in a row (~clear_after)";
   if (level == core::Level::kUnknown && !findings.makeUnknown())
     findings.add(Warning::REASON_SETTLING, "the inputs are good, but not yet for " + in_a_row);
-  CollisionWarning msg = warningMsg(evaluated, stamp, level, findings, parameters_);
   if (level != core::Level::kUnknown && core::isWorse(level, seen))
-    msg.message += "the level is held until a lower one is given by " + in_a_row;
-  msg.data_age = std::max(obstaclesAge(now), odometryAge(now));
+    findings.add(0, "the level is held until a lower one is given by " + in_a_row);
+  CollisionWarning msg = warningMsg(evaluated, stamp, level, findings, parameters_);
+  msg.data_age = inputs_.age(now, scene_ ? scene_->odometry : std::nullopt);
   return msg;
-}
-
-Findings Pipeline::standingFindings(const Moment& now) const {
-  Findings findings = clock_.findings(now);
-  findings.add(jump_);
-  findings.add(obstacles_refusal_);
-  findings.add(footprint_refusal_);
-  findings.add(odometry_refusal_);
-  if (!newest_ && !obstacles_refusal_.makeUnknown())
-    findings.add(Warning::REASON_OBSTACLES_MISSING, "nothing has come on " + names_.obstacles +
-                                                        " yet: start the tracker, or remap "
-                                                        "obstacles to its topic");
-  if (!footprint_ && !footprint_refusal_.makeUnknown())
-    findings.add(Warning::REASON_FOOTPRINT_MISSING,
-                 "no footprint yet: set ~footprint, or publish one on " + names_.footprint);
-  if (parameters_.ego_motion == EgoMotion::kOdom && odometry_.empty() &&
-      !odometry_refusal_.makeUnknown())
-    findings.add(Warning::REASON_ODOM_MISSING,
-                 "nothing has come on " + names_.odom +
-                     " yet: remap odom to the robot's odometry, or set ~ego_motion to static for a "
-                     "sensor that stands still");
-  return findings;
-}
-
-Findings Pipeline::staleness(const Moment& now) const {
-  Findings findings;
-  if (newest_ && obstaclesAge(now) > parameters_.max_data_age)
-    findings.add(Warning::REASON_OBSTACLES_STALE,
-                 staleText(names_.obstacles, obstaclesAge(now), parameters_.max_data_age));
-  else if (odometryAge(now) > parameters_.max_data_age)
-    findings.add(Warning::REASON_ODOM_STALE,
-                 staleText(names_.odom, odometryAge(now), parameters_.max_data_age));
-  return findings;
-}
-
-/// By the ROS clock; live also by the steady one, in case the wall clock is wrong or set.
-double Pipeline::ageOf(const ros::Time& stamp, const ros::SteadyTime& arrived,
-                       const Moment& now) const {
-  const double age = std::max(0.0, secondsBetween(stamp, now.ros));
-  return clock_.isSimulated() ? age : std::max(age, secondsBetween(arrived, now.steady));
-}
-
-double Pipeline::obstaclesAge(const Moment& now) const {
-  return newest_ ? ageOf(newest_->ros, newest_->steady, now) : INFINITY;
-}
-
-double Pipeline::odometryAge(const Moment& now) const {
-  if (!scene_ || !scene_->odometry) return 0;
-  return ageOf(scene_->odometry->stamp, scene_->odometry->arrived, now);
 }
 
 }  // namespace footprint_collision_predictor

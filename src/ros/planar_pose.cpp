@@ -1,7 +1,5 @@
 #include "planar_pose.hpp"
 
-#include <tf2/exceptions.h>
-
 #include <cmath>
 #include <sstream>
 
@@ -16,7 +14,7 @@ std::string newestTransform(const tf2::BufferCore& tf, const std::string& refere
   std::ostringstream text;
   text << "the newest there is is from " << newest;
   return text.str();
-} catch (const tf2::TransformException&) {
+} catch (const std::exception&) {
   return "there is none at any time; check that both frames are published and connected";
 }
 
@@ -28,9 +26,11 @@ PlanarPose project(const geometry_msgs::Transform& transform) {
   if (!(std::isfinite(t.x) && std::isfinite(t.y) && std::isfinite(t.z) && std::isfinite(q.x) &&
         std::isfinite(q.y) && std::isfinite(q.z) && std::isfinite(q.w)))
     throw std::domain_error("it contains a number that is not finite");
-  if (1 - 2 * (q.x * q.x + q.y * q.y) < kCosineOfLargestTilt)
+  // For quaternions of any length: tf2 lets those pass that are off by up to one per cent.
+  const double ww = q.w * q.w, xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
+  if (ww - xx - yy + zz < kCosineOfLargestTilt * (ww + xx + yy + zz))
     throw std::domain_error("it is tilted by more than 30 degrees; everything here is planar");
-  const core::Vec2 x_axis(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z));
+  const core::Vec2 x_axis(ww + xx - yy - zz, 2 * (q.x * q.y + q.w * q.z));
   return {{t.x, t.y}, x_axis.normalized()};
 }
 
@@ -41,17 +41,20 @@ PlanarPose lookUpPose(const tf2::BufferCore& tf, const std::string& reference,
   where << "transform between \"" << reference << "\" and \"" << frame << "\" at " << time << ": ";
   try {
     return project(tf.lookupTransform(reference, frame, time).transform);
-  } catch (const tf2::TransformException& error) {
-    throw TransformError(where.str() + error.what() + " (" + newestTransform(tf, reference, frame) +
-                         ")");
   } catch (const std::domain_error& error) {
     throw TransformError(where.str() + error.what());
+  } catch (const std::exception& error) {
+    // tf2's own, and std::runtime_error for times too far from those that tf2 knows
+    throw TransformError(where.str() + error.what() + " (" + newestTransform(tf, reference, frame) +
+                         ")");
   }
 }
 
 bool canLookUpPose(const tf2::BufferCore& tf, const std::string& reference,
-                   const std::string& frame, const ros::Time& time) {
+                   const std::string& frame, const ros::Time& time) try {
   return reference == frame || tf.canTransform(reference, frame, time);
+} catch (const std::exception&) {
+  return false;
 }
 
 }  // namespace footprint_collision_predictor

@@ -24,6 +24,7 @@ std::string seconds(double value) {
 std::optional<OdometrySample> odometryAt(const ros::Time& stamp, const OdometryHistory& odometry,
                                          double max_age, Findings& findings) {
   const auto sample = odometry.at(stamp);
+  if (odometry.empty()) return std::nullopt;  // which is a finding of its own
   if (!sample) {
     findings.add(CollisionWarning::REASON_ODOM_MISSING,
                  "no odometry at or before the obstacles' stamp: publish odom, or set "
@@ -47,7 +48,9 @@ void setMotion(const OdometryHistory& odometry, const tf2::BufferCore& tf, const
   if (!scene.odometry) return;
   const PlanarPose from = lookUpPose(tf, p.base_frame, scene.odometry->frame, scene.stamp);
   scene.twist = carriedOver(scene.odometry->twist, from);
-  const double effect = core::turningEffect(scene.footprint, scene.twist, p.horizon);
+  // Repeats look ahead from as much later as the data may be old.
+  const double effect =
+      core::turningEffect(scene.footprint, scene.twist, p.horizon + p.max_data_age);
   if (effect <= kNegligibleTurn) {
     scene.horizon = p.horizon;
     return;
@@ -65,6 +68,7 @@ core::Twist headerMotion(const ObstacleArray& message, const PlanarPose& body, c
                          const tf2::BufferCore& tf, const Parameters& p) {
   if (p.obstacle_velocity == ObstacleVelocity::kOverGround) return {};
   const std::string& frame = message.header.frame_id;
+  if (frame == p.base_frame) return scene.twist;
   const ros::Duration back(std::min(p.max_data_age, scene.stamp.toSec() / 2));
   const PlanarPose before = lookUpPose(tf, frame, p.base_frame, scene.stamp - back);
   const double moved =

@@ -7,11 +7,12 @@ namespace {
 
 constexpr std::size_t kCapacity = 100;
 
-}  // namespace
-
-const std_msgs::Header& Waiting::header() const {
-  return std::visit([](const auto& m) -> const std_msgs::Header& { return m.header; }, message);
+/// Will be refused, whatever comes.
+bool isHopeless(const std_msgs::Header& header) {
+  return header.stamp.isZero() || header.frame_id.empty();
 }
+
+}  // namespace
 
 WaitingQueue::WaitingQueue(const Parameters& parameters, const tf2::BufferCore& tf,
                            const OdometryHistory& odometry)
@@ -28,12 +29,17 @@ std::optional<Waiting> WaitingQueue::pop(const Moment& now) {
 }
 
 bool WaitingQueue::isReady(const Waiting& waiting, const Moment& now) const {
-  const std_msgs::Header& header = waiting.header();
-  if (header.stamp.isZero() || header.frame_id.empty()) return true;  // will be refused
-  if (now.ros.isZero()) return false;  // a simulated clock that has not started
-  if (!canLookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp)) return false;
-  return std::holds_alternative<geometry_msgs::PolygonStamped>(waiting.message) ||
-         hasMotion(header.stamp);
+  if (const auto* obstacles = std::get_if<ObstacleArray>(&waiting.message))
+    return isHopeless(obstacles->header) ||
+           (isPlaced(obstacles->header, now) && hasMotion(obstacles->header.stamp));
+  if (const auto* footprint = std::get_if<geometry_msgs::PolygonStamped>(&waiting.message))
+    return isHopeless(footprint->header) || isPlaced(footprint->header, now);
+  return true;
+}
+
+bool WaitingQueue::isPlaced(const std_msgs::Header& header, const Moment& now) const {
+  const bool clock_started = !now.ros.isZero();
+  return clock_started && canLookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp);
 }
 
 bool WaitingQueue::hasMotion(const ros::Time& stamp) const {

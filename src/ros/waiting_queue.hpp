@@ -9,6 +9,7 @@
 #include <string>
 #include <variant>
 
+#include "findings.hpp"
 #include "footprint_collision_predictor/ObstacleArray.h"
 #include "moment.hpp"
 #include "odometry_history.hpp"
@@ -16,11 +17,16 @@
 
 namespace footprint_collision_predictor {
 
+/// A message that cannot be read. It waits its turn like the others, so that no earlier one undoes
+/// it.
+struct Refusal {
+  Findings why;
+  enum class Of { kObstacles, kFootprint } of;
+};
+
 struct Waiting {
   Moment arrived;
-  std::variant<ObstacleArray, geometry_msgs::PolygonStamped> message;
-
-  const std_msgs::Header& header() const;
+  std::variant<ObstacleArray, geometry_msgs::PolygonStamped, Refusal> message;
 };
 
 /// Bounded: when full, the oldest is handed out at once, with what is known by then.
@@ -38,6 +44,7 @@ class WaitingQueue {
 
  private:
   bool isReady(const Waiting& waiting, const Moment& now) const;
+  bool isPlaced(const std_msgs::Header& header, const Moment& now) const;
   bool hasMotion(const ros::Time& stamp) const;
 
   const Parameters& parameters_;

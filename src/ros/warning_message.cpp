@@ -22,6 +22,16 @@ void fillContact(const core::FootprintContact& first, const Evaluated& evaluated
   msg.closing_speed = first.closing_speed;
 }
 
+/// Makes a finished warning UNKNOWN; a certain and CRITICAL hit stays.
+void addUnknown(std::uint32_t reason, const std::string& words, CollisionWarning& msg) {
+  msg.reason |= reason;
+  msg.message += (msg.message.empty() ? "" : "; ") + words;
+  if (msg.collision_predicted == 0) msg.time_to_collision = kNaN;
+  if (msg.collision_predicted == 0 || msg.level != Warning::CRITICAL) msg.level = Warning::UNKNOWN;
+  msg.contact_free_time = 0;
+  msg.clearance = kNaN;
+}
+
 }  // namespace
 
 CollisionWarning warningMsg(const Evaluated* evaluated, const ros::Time& stamp, core::Level level,
@@ -43,7 +53,9 @@ CollisionWarning warningMsg(const Evaluated* evaluated, const ros::Time& stamp, 
     if (evaluated->prediction.first) fillContact(*evaluated->prediction.first, *evaluated, msg);
     const bool all_known = findings.reasons() % kFirstDegradedReason == 0 ||
                            findings.reasons() % kFirstDegradedReason == Warning::REASON_SETTLING;
-    if (all_known) msg.clearance = evaluated->prediction.clearance.value_or(kInfinity);
+    if (all_known)
+      msg.clearance =
+          evaluated->prediction.clearance.value_or(msg.obstacle_count == 0 ? kInfinity : kNaN);
   }
   msg.contact_free_time =
       findings.makeUnknown() ? 0 : std::min(msg.time_to_collision, parameters.horizon);
@@ -63,6 +75,36 @@ CollisionPrediction predictionMsg(const Evaluated& evaluated, const Findings& fi
   msg.segments = toMsg(scene.footprint, evaluated.prediction, scene.circles.keys,
                        parameters.horizon, !findings.makeUnknown());
   return msg;
+}
+
+CollisionWarning olderBy(double seconds, CollisionWarning warning, const Parameters& parameters) {
+  warning.data_age += seconds;
+  if (warning.data_age <= parameters.max_data_age || warning.level == Warning::UNKNOWN)
+    return warning;
+  warning.collision_predicted = 0;  // no hit is certain any more
+  warning.segment = -1;
+  warning.obstacle_id = -1;
+  warning.contact_point = geometry_msgs::Point();
+  warning.closing_speed = 0;
+  addUnknown(Warning::REASON_OBSTACLES_STALE,
+             "the inputs were " + std::to_string(warning.data_age) +
+                 " s old when the evaluation was done (~max_data_age)",
+             warning);
+  return warning;
+}
+
+CollisionWarning finishedAfter(double seconds, CollisionWarning warning,
+                               const Parameters& parameters) {
+  CollisionWarning older = olderBy(seconds, std::move(warning), parameters);
+  const double period = 1 / parameters.heartbeat_rate;
+  if (seconds > period)
+    addUnknown(Warning::REASON_DEADLINE,
+               "evaluating " + std::to_string(older.obstacle_count) + " obstacles took " +
+                   std::to_string(seconds) + " s, longer than the period of " +
+                   std::to_string(period) +
+                   " s: send fewer obstacles, simplify the footprint, or lower ~heartbeat_rate",
+               older);
+  return older;
 }
 
 }  // namespace footprint_collision_predictor

@@ -21,10 +21,18 @@ struct Evaluated {
 CollisionWarning warningMsg(const Evaluated* evaluated, const ros::Time& stamp, core::Level level,
                             const Findings& findings, const Parameters& parameters);
 
-/// \param findings as for the warning: with an UNKNOWN reason, segments without a certain contact
+/// \param findings about the inputs: with an UNKNOWN reason, segments without a certain contact
 /// read
-///     as unknown
+///     as unknown. (REASON_SETTLING is about the level alone, so it is not among them.)
 CollisionPrediction predictionMsg(const Evaluated& evaluated, const Findings& findings,
                                   const Parameters& parameters);
+
+/// A warning as it is when it goes out some seconds after the moment for which it was made: its
+/// data are older by then, and too old data make it UNKNOWN.
+CollisionWarning olderBy(double seconds, CollisionWarning warning, const Parameters& parameters);
+
+/// The same for an evaluation that took so long: beyond a period of the heartbeat it is UNKNOWN.
+CollisionWarning finishedAfter(double seconds, CollisionWarning warning,
+                               const Parameters& parameters);
 
 }  // namespace footprint_collision_predictor

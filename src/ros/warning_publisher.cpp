@@ -16,18 +16,19 @@ namespace {
 constexpr std::uint32_t kQueueSize = 100;
 
 std::string described(const CollisionWarning& warning) {
+  static const char* const kNames[] = {"UNKNOWN", "CLEAR", "WARN", "CRITICAL"};
   std::ostringstream text;
-  text << (warning.level == CollisionWarning::CRITICAL ? "CRITICAL" : "WARN") << ": contact in "
-       << warning.time_to_collision << " s, segment " << warning.segment << ", obstacle "
-       << warning.obstacle_id << (warning.message.empty() ? "" : "; ") << warning.message;
+  text << kNames[warning.level];
+  if (warning.collision_predicted != 0)
+    text << ": contact in " << warning.time_to_collision << " s, segment " << warning.segment
+         << ", obstacle " << warning.obstacle_id;
+  if (!warning.message.empty()) text << ": " << warning.message;
   return text.str();
 }
 
 void log(const CollisionWarning& warning) {
   if (warning.level == CollisionWarning::CLEAR)
-    ROS_INFO_STREAM("CLEAR" << (warning.message.empty() ? "" : ": ") << warning.message);
-  else if (warning.level == CollisionWarning::UNKNOWN)
-    ROS_WARN_STREAM("UNKNOWN: " << warning.message);
+    ROS_INFO_STREAM(described(warning));
   else
     ROS_WARN_STREAM(described(warning));
 }
@@ -40,8 +41,18 @@ WarningPublisher::WarningPublisher(ros::NodeHandle& node)
   last_.session = std::random_device{}();
 }
 
-void WarningPublisher::publish(CollisionWarning warning) {
+void WarningPublisher::publish(const CollisionWarning& warning) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  send(warning);
+}
+
+void WarningPublisher::publishIfSilent(double seconds, const Substitute& substitute) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const double silence = secondsBetween(last_time_, ros::SteadyTime::now());
+  if (silence >= seconds) send(substitute(last_, silence));
+}
+
+void WarningPublisher::send(CollisionWarning warning) {
   warning.session = last_.session;
   warning.sequence = last_.sequence + 1;
   logChange(warning);
@@ -60,17 +71,6 @@ void WarningPublisher::logChange(const CollisionWarning& warning) {
   log(warning);
   logged_ = warning;
   logged_time_ = now;
-}
-
-void WarningPublisher::publishAgain() {
-  CollisionWarning again = last();
-  again.data_age += silence();
-  publish(std::move(again));
-}
-
-double WarningPublisher::silence() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return secondsBetween(last_time_, ros::SteadyTime::now());
 }
 
 CollisionWarning WarningPublisher::last() const {

@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
+#include <functional>
 #include <mutex>
 
 #include "footprint_collision_predictor/CollisionWarning.h"
@@ -15,14 +16,16 @@ class WarningPublisher {
  public:
   explicit WarningPublisher(ros::NodeHandle& node);
 
-  void publish(CollisionWarning warning);
-  /// Sends the last one once more, with the age that its data have by now.
-  void publishAgain();
-  /// [s] of steady time since the last one went out.
-  double silence() const;
+  void publish(const CollisionWarning& warning);
+
+  /// What to send instead, given the last one and for how long [s] none has gone out.
+  using Substitute = std::function<CollisionWarning(const CollisionWarning& last, double silence)>;
+  /// Sends the substitute when none has gone out for this long [s] of steady time.
+  void publishIfSilent(double seconds, const Substitute& substitute);
   CollisionWarning last() const;
 
  private:
+  void send(CollisionWarning warning);
   void logChange(const CollisionWarning& warning);
 
   mutable std::mutex mutex_;

@@ -2,6 +2,7 @@
 """A transform that is missing or late: waited for, then UNKNOWN by name."""
 import math
 
+import rospy
 from footprint_collision_predictor.msg import CollisionWarning
 from node_testing import PATIENT, circle, transform
 from ros_test_case import RosTestCase, run
@@ -80,6 +81,16 @@ class Transforms(RosTestCase):
         self.assertEqual(warning.obstacle_count, 1)
         good = node.warning_at(node.send())
         self.assertEqual(good.reason, good.REASON_SETTLING, good)
+
+    def test_stamps_that_tf2_cannot_compute_with(self):
+        """They end neither the process nor its other transforms."""
+        node = self.rig(**PATIENT)
+        for seconds in (100, 2**32 - 1, 2**32 - 1):
+            node.send_transforms(transform('map', 'balloon', 1, 2, stamp=rospy.Time(seconds)))
+        node.send_static_transforms(transform('map', 'base_link', 1, 2))
+        stamp = node.send([circle(7, (4, 2), (-1, 0))], 'map')
+        self.assertAlmostEqual(node.warning_at(stamp).time_to_collision, 1.5, delta=1e-9)
+        self.assertTrue(node.is_alive())
 
     def test_nothing_piles_up(self):
         """200 messages that nothing can answer are each refused in their turn; then all is well."""

@@ -5,6 +5,7 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/serialization.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -48,10 +49,9 @@ class PipelineFixture : public testing::Test {
   Pipeline& pipeline() {
     if (!pipeline_)
       pipeline_.emplace(parameters, InputNames{"/obstacles", "/footprint", "/odom"}, tf, simulated,
-                        [this](const CollisionWarning& warning,
-                               const std::optional<CollisionPrediction>& prediction) {
-                          warnings.push_back(warning);
-                          if (prediction) predictions.push_back(*prediction);
+                        [this](const Answer& answer) {
+                          warnings.push_back(answer.warning);
+                          if (answer.prediction) predictions.push_back(*answer.prediction);
                         });
     return *pipeline_;
   }
@@ -84,6 +84,34 @@ class PipelineFixture : public testing::Test {
     odometry.twist.twist.linear.x = vx;
     odometry.twist.twist.angular.z = yaw_rate;
     pipeline().receiveOdometry(serialized(odometry), at(now));
+  }
+
+  /// A square of the given half side, about the origin of the frame.
+  void sendFootprint(double now, double stamp, float half, const std::string& frame = "base_link") {
+    geometry_msgs::PolygonStamped footprint;
+    footprint.header.stamp = ros::Time(stamp);
+    footprint.header.frame_id = frame;
+    for (const auto& [x, y] :
+         {std::pair{half, half}, {-half, half}, {-half, -half}, {half, -half}}) {
+      geometry_msgs::Point32 vertex;
+      vertex.x = x;
+      vertex.y = y;
+      footprint.polygon.points.push_back(vertex);
+    }
+    pipeline().receiveFootprint(serialized(footprint), at(now));
+  }
+
+  void setTransform(const std::string& parent, const std::string& child, double stamp, double x,
+                    double y, double yaw, bool fixed = false) {
+    geometry_msgs::TransformStamped t;
+    t.header.frame_id = parent;
+    t.header.stamp = ros::Time(stamp);
+    t.child_frame_id = child;
+    t.transform.translation.x = x;
+    t.transform.translation.y = y;
+    t.transform.rotation.z = std::sin(yaw / 2);
+    t.transform.rotation.w = std::cos(yaw / 2);
+    tf.setTransform(t, "test", fixed);
   }
 
   Parameters parameters;

@@ -108,5 +108,18 @@ TEST(LevelHold, ResetIsTheStart) {
   EXPECT_EQ(shownAfter(&hold, "CC"), "?C");
 }
 
+TEST(LevelHold, AReplacementCountsWithWhatItReplacesAtTheWorseOfBoth) {
+  LevelHold hold(2);
+  hold.update(Level::kCritical);
+  hold.update(Level::kClear);
+  hold.replaceNewest(Level::kClear);
+  EXPECT_EQ(hold.shown(Level::kClear), Level::kCritical) << "only one message since";
+  hold.update(Level::kWarn);
+  hold.replaceNewest(Level::kClear);
+  EXPECT_EQ(hold.shown(Level::kClear), Level::kWarn);
+  hold.replaceNewest(Level::kUnknown);
+  EXPECT_EQ(hold.shown(Level::kClear), Level::kUnknown);
+}
+
 }  // namespace
 }  // namespace footprint_collision_predictor::core

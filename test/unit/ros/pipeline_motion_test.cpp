@@ -11,19 +11,6 @@ using Warning = CollisionWarning;
 class PipelineMotion : public PipelineFixture {
  protected:
   PipelineMotion() { parameters.ego_motion = EgoMotion::kOdom; }
-
-  void setTransform(const std::string& parent, const std::string& child, double stamp, double x,
-                    double y, double yaw, bool fixed = false) {
-    geometry_msgs::TransformStamped t;
-    t.header.frame_id = parent;
-    t.header.stamp = ros::Time(stamp);
-    t.child_frame_id = child;
-    t.transform.translation.x = x;
-    t.transform.translation.y = y;
-    t.transform.rotation.z = std::sin(yaw / 2);
-    t.transform.rotation.w = std::cos(yaw / 2);
-    tf.setTransform(t, "test", fixed);
-  }
 };
 
 TEST_F(PipelineMotion, TheRobotsVelocityCountsAsMuchAsTheObstacles) {
