@@ -50,7 +50,6 @@ Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
       private_node_(private_node),
       predictions_(node_.advertise<CollisionPrediction>("collision_prediction", kQueueSize)),
       warnings_(node_),
-
       pipeline_(parameters_,
                 {node_.resolveName("obstacles"), node_.resolveName("footprint"),
                  node_.resolveName("odom")},
