@@ -1,0 +1,72 @@
+#include "scene.hpp"
+
+#include <cmath>
+
+#include "random.hpp"
+
+namespace footprint_collision_predictor::bench {
+namespace {
+
+using test::Random;
+
+constexpr double kAimed = 0.045;  // the other hits come about by chance
+
+Obstacle anyObstacle(MotionKind kind, const Twist& twist, Random& random) {
+  const Vec2 position = random.uniform(0.8, 10) * random.direction();
+  const double radius = random.uniform(0.1, 0.6);
+  Vec2 acceleration{0, 0};
+  if (kind == MotionKind::kAccelerating) acceleration = random.uniform(0, 1) * random.direction();
+  Vec2 velocity = random.uniform(0, 2) * random.direction();
+  if (random.chance(kAimed)) {
+    const double time = random.uniform(0.5, kHorizon);
+    const Vec2 target = random.uniform(0, 0.3) * random.direction();
+    velocity = (target - position) / time - (0.5 * time) * acceleration + twist.linear;
+  }
+  return Obstacle({position, velocity, acceleration}, radius);
+}
+
+}  // namespace
+
+std::string nameOf(MotionKind kind) {
+  return kind == MotionKind::kStraight ? "straight" : "accelerating";
+}
+
+Polygon convexFootprint(int edges) {
+  Random random(kSeed);
+  std::vector<Vec2> vertices;
+  for (int i = 0; i < edges; ++i) {
+    const double angle = 2 * M_PI * (i + random.uniform(0, 0.5)) / edges;
+    vertices.push_back({0.5 * std::cos(angle), 0.35 * std::sin(angle)});
+  }
+  return Polygon(vertices);
+}
+
+Polygon concaveFootprint() {
+  return Polygon({{0.5, 0.35},
+                  {-0.5, 0.35},
+                  {-0.5, -0.35},
+                  {0.5, -0.35},
+                  {0.5, -0.2},
+                  {-0.1, -0.2},
+                  {-0.1, 0.2},
+                  {0.5, 0.2}});
+}
+
+std::vector<Segment> segmentsOf(const Polygon& footprint) {
+  std::vector<Segment> segments;
+  for (std::size_t i = 0; i < footprint.size(); ++i) segments.push_back(footprint.segment(i));
+  return segments;
+}
+
+Scene makeScene(const std::string& name, const Polygon& footprint, MotionKind kind,
+                std::size_t obstacles) {
+  Scene scene{name, kind, footprint, Twist{{0.8, 0.1}, 0}, {}};
+  scene.obstacles.reserve(obstacles);
+  for (std::size_t i = 0; i < obstacles; ++i) {
+    Random random(kSeed, i);
+    scene.obstacles.push_back(anyObstacle(kind, scene.twist, random));
+  }
+  return scene;
+}
+
+}  // namespace footprint_collision_predictor::bench
