@@ -24,6 +24,7 @@ void addAll(bool quick) {
   for (const int edges : {4, 8, 16, 32})
     if (edges == 8 || !quick) addFootprint(std::to_string(edges), convexFootprint(edges), true);
   if (!quick) addFootprint("concave", concaveFootprint(), false);
+  std::fprintf(stderr, "Asking the oracle: many obstacles\n");
   for (const MotionKind kind : {MotionKind::kStraight, MotionKind::kAccelerating})
     addManyBenchmarks(kind, quick ? 10000 : 1000000);
 }

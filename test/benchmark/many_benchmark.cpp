@@ -1,9 +1,8 @@
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 
 #include "benchmarks.hpp"
 #include "footprint_collision_predictor/predictor.hpp"
+#include "measurement.hpp"
 
 namespace footprint_collision_predictor::bench {
 namespace {
@@ -22,21 +21,34 @@ Lists listsOf(const Scene& scene, std::size_t size) {
   return lists;
 }
 
+/// Each segment's earliest contact with any obstacle of its list.
+Score judgeSegments(const Scene& scene, const Lists& lists) {
+  const std::size_t segments = scene.footprint.size();
+  const std::size_t size = lists.front().size();
+  std::vector<Question> questions;
+  std::vector<double> truths;
+  for (std::size_t j = 0; j < lists.size(); ++j)
+    for (std::size_t i = 0; i < segments; ++i) {
+      questions.push_back({&scene, {i, i + 1}, {j * size, (j + 1) * size}});
+      truths.push_back(truth(questions.back()));
+    }
+  core::Prediction prediction;  // the list's, for all of its segments
+  return judge(questions, truths, kGuarantee, [&](std::size_t question) {
+    const std::size_t segment = question % segments;
+    if (segment == 0)
+      prediction =
+          core::predict(scene.footprint, scene.twist, lists[question / segments], kHorizon);
+    const auto& contact = prediction.segments[segment];
+    return contact ? contact->contact.time : kNever;
+  });
+}
+
 void add(const SharedScene& scene, std::size_t size) {
   const auto lists = std::make_shared<const Lists>(listsOf(*scene, size));
-  const std::string name =
-      "many/" + nameOf(scene->kind) + "/" + scene->name + "/" + std::to_string(size);
-  const auto measure = [scene, lists, size](benchmark::State& state) {
-    std::size_t i = 0;
-    for (auto _ : state) {
-      benchmark::DoNotOptimize(
-          core::predict(scene->footprint, scene->twist, (*lists)[i], kHorizon));
-      if (++i == lists->size()) i = 0;
-    }
-    state.counters["obstacles"] = static_cast<double>(size);
-  };
-  benchmark::RegisterBenchmark(name.c_str(), measure)
-      ->Iterations(static_cast<benchmark::IterationCount>(lists->size()));
+  addMeasurement(pathOf("many", *scene) + "/ours_" + std::to_string(size), lists->size(), size,
+                 judgeSegments(*scene, *lists), kGuarantee, [scene, lists](std::size_t i) {
+                   return core::predict(scene->footprint, scene->twist, (*lists)[i], kHorizon);
+                 });
 }
 
 }  // namespace

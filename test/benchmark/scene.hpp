@@ -22,6 +22,7 @@ constexpr double kHorizon = 5;          // [s] the node's default
 constexpr std::size_t kInputs = 65536;  // more than branch predictors remember
 constexpr std::uint64_t kSeed = 20240229;
 
+// Turning joins when the core has it: Box2D's sweep and time stepping can turn.
 enum class MotionKind { kStraight, kAccelerating };
 
 /// "straight" or "accelerating".

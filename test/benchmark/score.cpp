@@ -8,13 +8,13 @@
 namespace footprint_collision_predictor::bench {
 namespace {
 
-/// Whether the circle's path is too far from the segment for any contact. Generously, in double:
-/// it only spares the oracle work.
-bool isFarAway(const Segment& segment, const Motion& circle, double radius) {
-  const double reach = 0.5 * (circle.positionAt(kHorizon) - circle.position).norm() +
-                       0.125 * kHorizon * kHorizon * circle.acceleration.norm();
-  const Vec2 middle = 0.5 * (circle.position + circle.positionAt(kHorizon));
-  return core::distance(segment, middle) > radius + reach + 1e-3;
+/// Whether the circle's path up to that time is too far from the segment for any contact.
+/// Generously, in double: it only spares the oracle work.
+bool isFarAway(const Segment& segment, const Motion& circle, double radius, double time) {
+  const Vec2 end = circle.positionAt(time);
+  const double reach =
+      0.5 * (end - circle.position).norm() + 0.125 * time * time * circle.acceleration.norm();
+  return core::distance(segment, 0.5 * (circle.position + end)) > radius + reach + 1e-3;
 }
 
 void count(const Question& question, double true_time, double time, const Tolerance& tolerance,
@@ -33,13 +33,17 @@ void count(const Question& question, double true_time, double time, const Tolera
 }  // namespace
 
 double truth(const Question& question, double growth) {
-  const double radius = std::max(0.0, question.radius + growth);
   double first = kNever;
-  for (const Segment& segment : question.segments) {
-    if (isFarAway(segment, question.circle, radius)) continue;
-    const auto time =
-        test::trueContact({segment, question.circle, radius, std::min(first, kHorizon)});
-    if (time) first = static_cast<double>(*time);
+  for (std::size_t j = question.obstacles.begin; j < question.obstacles.end; ++j) {
+    const Motion circle = question.scene->relative(j);
+    const double radius = std::max(0.0, question.scene->obstacles[j].radius() + growth);
+    for (std::size_t i = question.segments.begin; i < question.segments.end; ++i) {
+      const Segment segment = question.scene->footprint.segment(i);
+      const double until = std::min(first, kHorizon);
+      if (isFarAway(segment, circle, radius, until)) continue;
+      const auto time = test::trueContact({segment, circle, radius, until});
+      if (time) first = static_cast<double>(*time);
+    }
   }
   return first;
 }
@@ -47,6 +51,7 @@ double truth(const Question& question, double growth) {
 Score judge(const std::vector<Question>& questions, const std::vector<double>& truths,
             const Tolerance& tolerance, const std::function<double(std::size_t)>& answer) {
   Score score;
+  score.questions = questions.size();
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const double time = answer(i);
     if (truths[i] != kNever) ++score.hits;

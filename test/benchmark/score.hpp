@@ -24,6 +24,7 @@ struct Tolerance {
 constexpr Tolerance kGuarantee{0, 1e-9, 1e-9};
 
 struct Score {
+  std::size_t questions = 0;
   std::size_t hits = 0;         ///< true ones
   std::size_t misses = 0;       ///< true contacts that were not reported
   std::size_t late = 0;         ///< reported, but later than the tolerance allows
@@ -31,16 +32,24 @@ struct Score {
   double worst_time_error = 0;  ///< [s] where truth and method both have a contact
 };
 
-/// One question: the obstacle against these segments, of which the earliest contact counts.
-struct Question {
-  std::vector<Segment> segments;
-  Motion circle;
-  double radius;
+/// Places in a list: [begin, end).
+struct Range {
+  std::size_t begin;
+  std::size_t end;
 };
 
-/// First contact within the horizon, or kNever, of the circle with its radius grown by `growth`.
+/// When do any of these obstacles first touch any of these segments?
+struct Question {
+  const Scene* scene;
+  Range segments;
+  Range obstacles;
+};
+
+/// First contact within the horizon, or kNever, when all radii are grown by `growth` [m].
 double truth(const Question& question, double growth = 0);
 
+/// \param truths of the questions, to spare asking again for every method
+/// \param answer of a method to question number i, or kNever
 Score judge(const std::vector<Question>& questions, const std::vector<double>& truths,
             const Tolerance& tolerance, const std::function<double(std::size_t)>& answer);
 
