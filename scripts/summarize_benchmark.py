@@ -49,21 +49,18 @@ def spread(path):
 
 
 def time_text(seconds):
-    if seconds >= 1e-3:
-        return "{:.3g} ms".format(seconds * 1e3)
-    return "{:.0e} s".format(seconds)
+    return "{:.3f} s".format(seconds) if seconds >= 1e-3 else "{:.0e} s".format(seconds)
 
 
 def print_methods(query, methods):
-    ours = methods.get("ours")
+    ours = methods["ours"]
     print("\n{}: {:.0f} questions, {:.0f} hits".format(
-        query.replace("/", ", "), *[next(iter(methods.values()))[k] for k in ("questions", "hits")]))
+        query.replace("/", ", "), ours["questions"], ours["hits"]))
     print("  {:<14}{:>10}{:>9}{:>8}{:>7}{:>10}{:>14}  {}".format(
         "method", "ns/query", "x ours", "missed", "late", "invented", "worst error", "held to"))
     for name, run in sorted(methods.items(), key=lambda item: (item[0] != "ours", item[0])):
-        ratio = "{:.2f}".format(run["ns"] / ours["ns"]) if ours else ""
-        print("  {:<14}{:>10.1f}{:>9}{:>8.0f}{:>7.0f}{:>10.0f}{:>14}  {:.0e} m, {:.0e} s".format(
-            name, run["ns"], ratio, run["misses"], run["late"], run["inventions"],
+        print("  {:<14}{:>10.1f}{:>9.2f}{:>8.0f}{:>7.0f}{:>10.0f}{:>14}  {:.0e} m, {:.0e} s".format(
+            name, run["ns"], run["ns"] / ours["ns"], run["misses"], run["late"], run["inventions"],
             time_text(run["worst_time_error"]), run["tolerance_m"], run["tolerance_s"]))
 
 
@@ -80,6 +77,12 @@ def print_growth(query, methods):
             run["inventions"]))
 
 
+def place(query):
+    """Straight before accelerating, few edges before many."""
+    what, motion, footprint = query.split("/")
+    return what, motion != "straight", int(footprint) if footprint.isdigit() else sys.maxsize
+
+
 def print_headlines(queries):
     print("Ratios of medians, 8 edges; above 1 the core is faster")
     for what, query, ours, other in HEADLINES:
@@ -94,13 +97,18 @@ def print_headlines(queries):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("json", help="what the benchmark wrote")
-    path = parser.parse_args().json
+    parser.add_argument("--medians", metavar="FILE", help="also write the medians, as JSON")
+    arguments = parser.parse_args()
+    path = arguments.json
     context, queries = read_medians(path)
+    if arguments.medians:
+        with open(arguments.medians, "w") as file:
+            json.dump({"context": context, "medians": queries}, file, indent=1, allow_nan=False)
     print("\n{}: {} processors at {} MHz, load {}, largest spread {:.0%}\n".format(
         context["date"], context["num_cpus"], context["mhz_per_cpu"],
         " ".join("{:.2f}".format(load) for load in context["load_avg"]), spread(path)))
     print_headlines(queries)
-    for query, methods in sorted(queries.items()):
+    for query, methods in sorted(queries.items(), key=lambda item: place(item[0])):
         (print_growth if query.startswith("many/") else print_methods)(query, methods)
 
 

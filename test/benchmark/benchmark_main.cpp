@@ -4,29 +4,30 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "benchmarks.hpp"
 
 namespace footprint_collision_predictor::bench {
 namespace {
 
-void addFootprint(const std::string& name, const Polygon& footprint, bool convex) {
-  for (const MotionKind kind : {MotionKind::kStraight, MotionKind::kAccelerating}) {
-    std::fprintf(stderr, "Asking the oracle: %s motion, footprint %s\n", nameOf(kind).c_str(),
-                 name.c_str());
-    const auto scene = std::make_shared<const Scene>(makeScene(name, footprint, kind, kInputs));
-    addFootprintBenchmarks(scene, convex);
-    if (name == "8") addSegmentBenchmarks(scene);
-  }
+void addScene(Scene scene) {
+  std::fprintf(stderr, "Asking the oracle: %s motion, footprint %s\n", nameOf(scene.kind).c_str(),
+               scene.name.c_str());
+  const auto shared = std::make_shared<const Scene>(std::move(scene));
+  addFootprintBenchmarks(shared);
+  if (shared->name == "8") addSegmentBenchmarks(shared);
 }
 
 void addAll(bool quick) {
-  for (const int edges : {4, 8, 16, 32})
-    if (edges == 8 || !quick) addFootprint(std::to_string(edges), convexFootprint(edges), true);
-  if (!quick) addFootprint("concave", concaveFootprint(), false);
-  std::fprintf(stderr, "Asking the oracle: many obstacles\n");
-  for (const MotionKind kind : {MotionKind::kStraight, MotionKind::kAccelerating})
+  const std::vector<int> edges = quick ? std::vector<int>{8} : std::vector<int>{4, 8, 16, 32};
+  for (const MotionKind kind : {MotionKind::kStraight, MotionKind::kAccelerating}) {
+    for (const int count : edges) addScene(convexScene(count, kind, kInputs));
+    if (!quick) addScene(concaveScene(kind, kInputs));
+    std::fprintf(stderr, "Asking the oracle: %s motion, many obstacles\n", nameOf(kind).c_str());
     addManyBenchmarks(kind, quick ? 10000 : 1000000);
+  }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace footprint_collision_predictor::bench {
 using SharedScene = std::shared_ptr<const Scene>;
 
 /// The first contact of a whole footprint with one obstacle: ours and every peer that can do it.
-void addFootprintBenchmarks(const SharedScene& scene, bool convex);
+void addFootprintBenchmarks(const SharedScene& scene);
 
 /// One segment and one obstacle.
 void addSegmentBenchmarks(const SharedScene& scene);

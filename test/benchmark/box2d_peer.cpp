@@ -18,16 +18,13 @@ b2Sweep sweep(const Vec2& from, const Vec2& to) {
 
 }  // namespace
 
-Box2dPeer::Box2dPeer(const Polygon& footprint, bool convex) : centre_(0, 0) {
-  for (const Vec2& vertex : footprint.vertices()) vertices_.push_back(toBox2d(vertex));
-  vertices_.push_back(vertices_.front());
-  const int edges = static_cast<int>(footprint.size());
-  const int part_size = convex ? edges : 2;
-  for (int i = 0; i < (convex ? 1 : edges); ++i) {
+Box2dPeer::Box2dPeer(const std::vector<Polygon>& convex_parts) : centre_(0, 0) {
+  for (const Polygon& part : convex_parts) {
+    vertices_.emplace_back();
+    for (const Vec2& vertex : part.vertices()) vertices_.back().push_back(toBox2d(vertex));
     parts_.emplace_back();
-    parts_.back().Set(&vertices_[static_cast<std::size_t>(i)], part_size, 0);
+    parts_.back().Set(vertices_.back().data(), static_cast<int>(part.size()), 0);
   }
-  input_.proxyA = parts_.front();
   input_.sweepA = sweep({0, 0}, {0, 0});
   input_.tMax = 1;
 }

@@ -9,22 +9,21 @@
 
 namespace footprint_collision_predictor::bench {
 
-/// The footprint stands still, the disc sweeps in a straight line. The inputs that do not change
-/// are set up once. A convex footprint is one proxy; Box2D has no concave shape and wants it edge
-/// by edge, as in its chain shape.
+/// The footprint stands still, the disc sweeps in a straight line. Inputs that do not change are
+/// set up once. A concave footprint is several proxies, as its manual has it for concave bodies.
 class Box2dPeer {
  public:
   /// It aims for its target gap to within a quarter of b2_linearSlop; the rest is float.
   static constexpr Tolerance kTolerance{2e-3, 2e-3, 1e-3};
 
-  Box2dPeer(const Polygon& footprint, bool convex);
+  explicit Box2dPeer(const std::vector<Polygon>& convex_parts);
   Box2dPeer(const Box2dPeer&) = delete;  // the proxies point into vertices_
   Box2dPeer& operator=(const Box2dPeer&) = delete;
 
   double firstContact(const Motion& circle, double radius);
 
  private:
-  std::vector<b2Vec2> vertices_;
+  std::vector<std::vector<b2Vec2>> vertices_;
   std::vector<b2DistanceProxy> parts_;
   b2Vec2 centre_;
   b2TOIInput input_;

@@ -5,6 +5,7 @@
 #include <fcl/math/motion/translation_motion.h>
 
 #include <memory>
+#include <vector>
 
 #include "score.hpp"
 
@@ -15,16 +16,17 @@ namespace footprint_collision_predictor::bench {
 class FclPeer {
  public:
   /// It ends when a step is shorter than 1e-4 of the horizon, so up to that much path too early;
-  /// libccd's distances are good to 1e-6 m.
+  /// its distances are good to 1e-6 m.
   static constexpr Tolerance kTolerance{1e-5, 1e-3, 1e-3};
 
-  /// A convex footprint is fcl::Convex, its fastest; a concave one a mesh of its walls.
-  FclPeer(const Polygon& footprint, bool convex);
+  /// Each part is an fcl::Convex, since conservative advancement of meshes misses what does not
+  /// touch at once (FCL's issue 120).
+  explicit FclPeer(const std::vector<Polygon>& convex_parts);
 
   double firstContact(const Motion& circle, double radius) const;
 
  private:
-  std::shared_ptr<fcl::CollisionGeometryd> prism_;
+  std::vector<std::shared_ptr<fcl::CollisionGeometryd>> prisms_;
   fcl::TranslationMotiond still_;
 };
 

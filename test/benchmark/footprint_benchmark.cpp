@@ -35,20 +35,20 @@ void addStepping(const SharedScene& scene, const Group& group, const std::string
 
 }  // namespace
 
-void addFootprintBenchmarks(const SharedScene& scene, bool convex) {
+void addFootprintBenchmarks(const SharedScene& scene) {
   const Group group = footprintGroup(*scene);
-  const Polygon& footprint = scene->footprint;
   const bool straight = scene->kind == MotionKind::kStraight;
   addOurs(scene, group);
   if (straight) {  // neither engine has a sweep with acceleration
     addPeer(scene, group, "box2d", Box2dPeer::kTolerance,
-            std::make_shared<Box2dPeer>(footprint, convex));
-    addPeer(scene, group, "fcl", FclPeer::kTolerance, std::make_shared<FclPeer>(footprint, convex));
+            std::make_shared<Box2dPeer>(scene->convex_parts));
+    addPeer(scene, group, "fcl", FclPeer::kTolerance,
+            std::make_shared<FclPeer>(scene->convex_parts));
   }
   addStepping(scene, group, "steps_0.02s", 0.02);
   addStepping(scene, group, "steps_0.1s", 0.1);
   addPeer(scene, group, straight ? "lecture" : "eigen", kGuarantee,
-          std::make_shared<LecturePeer>(segmentsOf(footprint)));
+          std::make_shared<LecturePeer>(segmentsOf(scene->footprint)));
 }
 
 }  // namespace footprint_collision_predictor::bench

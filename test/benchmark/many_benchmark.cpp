@@ -54,8 +54,7 @@ void add(const SharedScene& scene, std::size_t size) {
 }  // namespace
 
 void addManyBenchmarks(MotionKind kind, std::size_t most) {
-  const auto scene = std::make_shared<const Scene>(
-      makeScene("8", convexFootprint(8), kind, std::max(kInputs, most)));
+  const auto scene = std::make_shared<const Scene>(convexScene(8, kind, std::max(kInputs, most)));
   for (std::size_t size = 10; size <= most; size *= 10) add(scene, size);
 }
 

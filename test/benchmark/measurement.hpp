@@ -41,9 +41,8 @@ benchmark::IterationCount passes(std::size_t inputs, const Call& call) {
       1, static_cast<benchmark::IterationCount>(kSeconds / one_pass));
 }
 
-/// \param call anything(std::size_t input). Called through its own type, since a std::function
-/// would
-///     cost a fast method more than a slow one.
+/// \param call anything(std::size_t input), as its own type: a std::function would cost a fast
+///     method more than a slow one.
 template <typename Call>
 void addMeasurement(const std::string& name, std::size_t inputs, std::size_t queries,
                     const Score& score, const Tolerance& tolerance, const Call& call) {

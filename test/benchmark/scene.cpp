@@ -9,9 +9,10 @@ namespace {
 
 using test::Random;
 
+const Twist kTwist{{0.8, 0.1}, 0};
 constexpr double kAimed = 0.045;  // the other hits come about by chance
 
-Obstacle anyObstacle(MotionKind kind, const Twist& twist, Random& random) {
+Obstacle anyObstacle(MotionKind kind, Random& random) {
   const Vec2 position = random.uniform(0.8, 10) * random.direction();
   const double radius = random.uniform(0.1, 0.6);
   Vec2 acceleration{0, 0};
@@ -20,15 +21,19 @@ Obstacle anyObstacle(MotionKind kind, const Twist& twist, Random& random) {
   if (random.chance(kAimed)) {
     const double time = random.uniform(0.5, kHorizon);
     const Vec2 target = random.uniform(0, 0.3) * random.direction();
-    velocity = (target - position) / time - (0.5 * time) * acceleration + twist.linear;
+    velocity = (target - position) / time - (0.5 * time) * acceleration + kTwist.linear;
   }
   return Obstacle({position, velocity, acceleration}, radius);
 }
 
-}  // namespace
-
-std::string nameOf(MotionKind kind) {
-  return kind == MotionKind::kStraight ? "straight" : "accelerating";
+std::vector<Obstacle> anyObstacles(MotionKind kind, std::size_t count) {
+  std::vector<Obstacle> obstacles;
+  obstacles.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Random random(kSeed, i);
+    obstacles.push_back(anyObstacle(kind, random));
+  }
+  return obstacles;
 }
 
 Polygon convexFootprint(int edges) {
@@ -41,15 +46,14 @@ Polygon convexFootprint(int edges) {
   return Polygon(vertices);
 }
 
-Polygon concaveFootprint() {
-  return Polygon({{0.5, 0.35},
-                  {-0.5, 0.35},
-                  {-0.5, -0.35},
-                  {0.5, -0.35},
-                  {0.5, -0.2},
-                  {-0.1, -0.2},
-                  {-0.1, 0.2},
-                  {0.5, 0.2}});
+Polygon rectangle(const Vec2& low, const Vec2& high) {
+  return Polygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
+}
+
+}  // namespace
+
+std::string nameOf(MotionKind kind) {
+  return kind == MotionKind::kStraight ? "straight" : "accelerating";
 }
 
 std::vector<Segment> segmentsOf(const Polygon& footprint) {
@@ -58,15 +62,25 @@ std::vector<Segment> segmentsOf(const Polygon& footprint) {
   return segments;
 }
 
-Scene makeScene(const std::string& name, const Polygon& footprint, MotionKind kind,
-                std::size_t obstacles) {
-  Scene scene{name, kind, footprint, Twist{{0.8, 0.1}, 0}, {}};
-  scene.obstacles.reserve(obstacles);
-  for (std::size_t i = 0; i < obstacles; ++i) {
-    Random random(kSeed, i);
-    scene.obstacles.push_back(anyObstacle(kind, scene.twist, random));
-  }
-  return scene;
+Scene convexScene(int edges, MotionKind kind, std::size_t obstacles) {
+  const Polygon footprint = convexFootprint(edges);
+  return {std::to_string(edges), kind,   footprint,
+          {footprint},           kTwist, anyObstacles(kind, obstacles)};
+}
+
+Scene concaveScene(MotionKind kind, std::size_t obstacles) {
+  const Polygon footprint({{0.5, 0.35},
+                           {-0.5, 0.35},
+                           {-0.5, -0.35},
+                           {0.5, -0.35},
+                           {0.5, -0.2},
+                           {-0.1, -0.2},
+                           {-0.1, 0.2},
+                           {0.5, 0.2}});
+  const std::vector<Polygon> parts = {rectangle({-0.5, -0.35}, {-0.1, 0.35}),
+                                      rectangle({-0.1, -0.35}, {0.5, -0.2}),
+                                      rectangle({-0.1, 0.2}, {0.5, 0.35})};
+  return {"concave", kind, footprint, parts, kTwist, anyObstacles(kind, obstacles)};
 }
 
 }  // namespace footprint_collision_predictor::bench

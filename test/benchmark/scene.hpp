@@ -28,10 +28,13 @@ enum class MotionKind { kStraight, kAccelerating };
 /// "straight" or "accelerating".
 std::string nameOf(MotionKind kind);
 
+/// One footprint and discs of 0.1 to 0.6 m as far away as 10 m, of which about one in ten hits
+/// within the horizon and one in a hundred touches now. None starts wholly inside the footprint.
 struct Scene {
   std::string name;  ///< of the footprint: its number of edges, or "concave"
   MotionKind kind;
   Polygon footprint;
+  std::vector<Polygon> convex_parts;  ///< the same area, for engines that know convex shapes only
   Twist twist;
   std::vector<Obstacle> obstacles;  ///< over ground
 
@@ -42,15 +45,10 @@ struct Scene {
 };
 
 /// A robot of about 1 x 0.7 m: as many vertices on an ellipse, at uneven distances.
-Polygon convexFootprint(int edges);
-/// A forklift seen from above: 8 edges, open at the front.
-Polygon concaveFootprint();
+Scene convexScene(int edges, MotionKind kind, std::size_t obstacles);
+/// A forklift seen from above: 8 edges, open at the front; its body and two forks.
+Scene concaveScene(MotionKind kind, std::size_t obstacles);
 
 std::vector<Segment> segmentsOf(const Polygon& footprint);
-
-/// Discs of 0.1 to 0.6 m as far away as 10 m, of which about one in ten hits within the horizon and
-/// one in a hundred touches now. None starts wholly inside the footprint.
-Scene makeScene(const std::string& name, const Polygon& footprint, MotionKind kind,
-                std::size_t obstacles);
 
 }  // namespace footprint_collision_predictor::bench

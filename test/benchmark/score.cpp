@@ -19,13 +19,13 @@ bool isFarAway(const Segment& segment, const Motion& circle, double radius, doub
 
 void count(const Question& question, double true_time, double time, const Tolerance& tolerance,
            Score* score) {
-  if (std::abs(time - true_time) <= tolerance.time) return;
+  if (std::abs(time - true_time) <= tolerance.time) return;  // not NaN, which ends below
   // Contact of the smaller circle is the latest excusable moment, of the larger one the earliest.
   if (time > true_time) {
     const double latest = tolerance.depth == 0 ? true_time : truth(question, -tolerance.depth);
     if (time == kNever && latest != kNever) ++score->misses;
     if (time != kNever && time > latest + tolerance.time) ++score->late;
-  } else if (time < truth(question, tolerance.clearance) - tolerance.time) {
+  } else if (!(time >= truth(question, tolerance.clearance) - tolerance.time)) {
     ++score->inventions;
   }
 }

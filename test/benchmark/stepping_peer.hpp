@@ -12,8 +12,7 @@ class SteppingPeer {
  public:
   SteppingPeer(const Polygon& footprint, double step);
 
-  /// Whatever is touched is touched for at least a step, or may be missed: nothing but the time is
-  /// excused.
+  /// Late by up to a step is what it promises; a touch between two steps is a miss all the same.
   Tolerance tolerance() const { return {0, 1e-9, step_}; }
   double firstContact(const Motion& circle, double radius) const;
 
