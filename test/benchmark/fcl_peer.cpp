@@ -55,9 +55,10 @@ FclPeer::FclPeer(const std::vector<Polygon>& convex_parts) : still_(motion({0, 0
 
 double FclPeer::firstContact(const Motion& circle, double radius) const {
   fcl::Sphered ball(radius);
-  const auto moving = motion(circle.position, circle.positionAt(kHorizon));
   double first = kNever;
   for (const auto& prism : prisms_) {
+    // A motion remembers how far it was followed, so each part needs a new one.
+    const auto moving = motion(circle.position, circle.positionAt(kHorizon));
     fcl::ContinuousCollisionResultd result;
     fcl::continuousCollide<double>(prism.get(), &still_, &ball, &moving, kRequest, result);
     if (result.is_collide) first = std::min(first, kHorizon * result.time_of_contact);
