@@ -53,6 +53,8 @@ class Polygon {
   bool isCounterClockwise() const { return signed_area_ > 0; }
   /// [m]
   const Vec2& centroid() const { return centroid_; }
+  /// Distance from the centroid to the farthest vertex [m].
+  double boundingRadius() const { return bounding_radius_; }
   /// Whether p lies inside. A point on the boundary may be told either way.
   bool contains(const Vec2& p) const;
 
@@ -60,6 +62,7 @@ class Polygon {
   std::vector<Vec2> vertices_;
   double signed_area_;
   Vec2 centroid_;
+  double bounding_radius_;
 };
 
 }  // namespace footprint_collision_predictor::core

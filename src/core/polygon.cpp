@@ -98,6 +98,12 @@ void requireSimple(const std::vector<Vec2>& vertices) {
   }
 }
 
+double farthestFrom(const Vec2& p, const std::vector<Vec2>& vertices) {
+  double farthest = 0;
+  for (const Vec2& vertex : vertices) farthest = std::max(farthest, (vertex - p).norm());
+  return farthest;
+}
+
 std::vector<Vec2> validated(std::vector<Vec2> vertices) {
   if (vertices.size() < 3)
     refuse("a footprint needs at least 3 vertices; there are ", vertices.size());
@@ -132,7 +138,8 @@ Vec2 centroid(const std::vector<Vec2>& vertices) {
 Polygon::Polygon(std::vector<Vec2> vertices)
     : vertices_(validated(std::move(vertices))),
       signed_area_(core::signedArea(vertices_)),
-      centroid_(core::centroid(vertices_)) {}
+      centroid_(core::centroid(vertices_)),
+      bounding_radius_(farthestFrom(centroid_, vertices_)) {}
 
 double Polygon::area() const { return std::abs(signed_area_); }
 

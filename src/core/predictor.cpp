@@ -70,6 +70,24 @@ double closingSpeed(const Polygon& footprint, const FootprintContact& first, con
   return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
 }
 
+/// A bound on the gap from below [m]: the footprint lies within a circle about its centroid, and
+/// within the time a path with constant acceleration leaves its chord by at most |a| t^2 / 8.
+double smallestGapBound(const Polygon& footprint, const Motion& m, double radius, double horizon) {
+  const Segment chord{m.position, m.positionAt(horizon)};
+  const double bulge = m.acceleration.norm() * horizon * horizon / 8;
+  return distance(chord, footprint.centroid()) - bulge - footprint.boundingRadius() - radius;
+}
+
+/// Whether no rounding can make a contact of it. Far more than contactTolerance() grows to on the
+/// way.
+bool cannotTouch(const Polygon& footprint, const Motion& m, double radius, double horizon) {
+  constexpr double kRounding = 1e-12;
+  const double path = m.velocity.norm() * horizon + m.acceleration.norm() * horizon * horizon;
+  const double size =
+      (m.position - footprint.centroid()).norm() + path + radius + footprint.boundingRadius();
+  return smallestGapBound(footprint, m, radius, horizon) > kRounding * size;
+}
+
 /// Whether a contact of the candidate replaces the one known of this segment.
 bool comesFirst(const Segment& segment, const Contact& candidate, const Obstacle& obstacle,
                 const Contact& known, const Obstacle& known_obstacle) {
@@ -112,6 +130,10 @@ Prediction predict(const Polygon& footprint, const Twist& twist,
   for (std::size_t j = 0; j < obstacles.size(); ++j) {
     const Obstacle& obstacle = obstacles[j];
     const Motion motion = relativeMotion(obstacle.motion(), twist);
+    const bool is_far =
+        prediction.clearance &&
+        smallestGapBound(footprint, motion, obstacle.radius(), 0) > *prediction.clearance;
+    if (is_far && cannotTouch(footprint, motion, obstacle.radius(), horizon)) continue;
     const Nearest nearest = nearestTo(motion.position, footprint);
     bool touches_now = nearest.signed_distance <= obstacle.radius();
     for (std::size_t i = 0; i < footprint.size(); ++i) {

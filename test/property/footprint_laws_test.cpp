@@ -51,7 +51,7 @@ TEST(FootprintLaw, TheFirstContactIsThatOfTheFirstSegment) {
     const std::vector<Vec2> vertices = anyFootprint(random);
     const Polygon footprint(vertices);
     std::vector<Obstacle> obstacles;
-    for (int i = random.integer(1, 3); i > 0; --i) obstacles.push_back(anyObstacle(random));
+    for (int i = random.integer(1, 6); i > 0; --i) obstacles.push_back(anyObstacle(random));
     const Prediction p = predict(footprint, {}, obstacles, 5);
 
     bool inside = false;
@@ -68,6 +68,15 @@ TEST(FootprintLaw, TheFirstContactIsThatOfTheFirstSegment) {
         return "segment " + std::to_string(i) + "\n" + described(vertices, obstacles);
       earliest = std::min(earliest, segment);
     }
+    double clearance = HUGE_VAL;
+    for (const Obstacle& o : obstacles) {
+      double gap = HUGE_VAL;
+      for (std::size_t i = 0; i < footprint.size(); ++i)
+        gap = std::min(gap, distance(footprint.segment(i), o.motion().position));
+      if (footprint.contains(o.motion().position)) gap = -gap;
+      clearance = std::min(clearance, gap - o.radius());
+    }
+    if (!close(*p.clearance, clearance)) return "clearance\n" + described(vertices, obstacles);
     if (inside) earliest = 0;
     const bool right = p.first ? close(p.first->contact.time, earliest) : earliest > 5;
     return right ? "" : "first contact\n" + described(vertices, obstacles);
