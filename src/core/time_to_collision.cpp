@@ -52,9 +52,9 @@ bool isTouching(const Segment& segment, const Motion& circle, double radius, dou
 /// form. Without acceleration the parabola is f, and one step arrives.
 std::optional<double> stepTowards(const Vec2& q, const Vec2& v, const Vec2& a, double reach,
                                   double time_left) {
-  const double lowest_at =
-      a.isZero(0) ? 0 : std::clamp(-v.dot(a) / a.squaredNorm(), 0.0, time_left);
-  const double excess = q.dot(a) + lowest_at * (3 * v.dot(a) + lowest_at * 1.5 * a.squaredNorm());
+  const double a_squared = a.squaredNorm();  // 0 also for an acceleration too small to be squared
+  const double lowest_at = a_squared > 0 ? std::clamp(-v.dot(a) / a_squared, 0.0, time_left) : 0;
+  const double excess = q.dot(a) + lowest_at * (3 * v.dot(a) + lowest_at * 1.5 * a_squared);
   const double m = v.squaredNorm() + excess;
   const double half_slope = q.dot(v);
   const double f = (q.norm() - reach) * (q.norm() + reach);
