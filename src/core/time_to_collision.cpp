@@ -58,7 +58,8 @@ std::optional<double> stepTowards(const Vec2& q, const Vec2& v, const Vec2& a, d
   const double m = v.squaredNorm() + excess;
   const double half_slope = q.dot(v);
   const double f = (q.norm() - reach) * (q.norm() + reach);
-  if (m >= 0 && half_slope >= 0) return std::nullopt;
+  // Decided before any root is taken: a tiny m would underflow in it, and lead nowhere.
+  if (half_slope >= 0 && f + m * time_left * time_left > 0) return std::nullopt;
   // half_slope^2 - f m cancels far from the end, and the same with the cross product cancels near
   // it, where the path bends as the rim does and m is small: each would lead past the contact.
   const double c = cross(q, v);
