@@ -80,6 +80,20 @@ TEST(PolygonRefusal, ASpike) {
   expectRefusal({{1, 0}, {4, 0}, {4, 3}, {6, 3}, {6, 0}}, "touch|back|overlap|spike", {4});
 }
 
+// Once accepted: a spike that is open only by less than the smallest normal number.
+TEST(PolygonRefusal, ASpikeOpenByADenormal) {
+  constexpr double kTiny = -std::numeric_limits<double>::denorm_min();
+  expectRefusal({{-2.6875, 2 * kTiny},
+                 {4 * kTiny, 6 * kTiny},
+                 {8 * kTiny, 10 * kTiny},
+                 {12 * kTiny, 14 * kTiny},
+                 {16 * kTiny, -0x1p-43},
+                 {18 * kTiny, -43},
+                 {20 * kTiny, 22 * kTiny},
+                 {24 * kTiny, 24 * kTiny}},
+                "touch|back", {});
+}
+
 TEST(PolygonRefusal, NoArea) {
   expectRefusal({{0, 0}, {1, 0}, {2, 0}}, "area|touch|back|overlap|spike", {});
   expectRefusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, "area|touch|back|overlap|spike", {});
