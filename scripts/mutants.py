@@ -19,7 +19,7 @@ SWAPS = [
     (r"\bstart\b(?=[;,)])", ["end"]), (r"\bkStart\b", ["kEnd"]), (r"\bkEnd\b", ["kInside"]),
     (r"if \((?=.*\) )", ["if (!"]),
 ]
-NUMBER = re.compile(r"(?<![\w.\"])(\d+\.\d+|\d+)(?![\w.\"])")
+NUMBER = re.compile(r"(?<![\w.\"])(\d+\.\d+|\d+)(?![\w.\">])")  # no template arguments
 CALL = re.compile(r"^ +[\w.:\->\[\]()*]+ ?(=|\(|\+=|\*=|\+\+).*;$")
 
 
