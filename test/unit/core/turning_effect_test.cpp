@@ -50,6 +50,14 @@ TEST(TurningEffect, IsAnUpperBound) {
   });
 }
 
+TEST(TurningEffect, IsNoLargerThanNeededForASmallAngle) {
+  const Polygon footprint({{0, 0}, {0.3, 0.4}, {0.1, -0.1}});
+  const Twist twist{{1.2, 1.6}, 1e-4};  // towards the farthest vertex: both effects add up
+  const double truth = largestDeviation(footprint, twist, 1);
+  EXPECT_NEAR(truth, 1.5e-4, 1e-8);  // 1e-4 * (0.5 + 2 / 2)
+  EXPECT_LE(turningEffect(footprint, twist, 1), 1.001 * truth);
+}
+
 TEST(TurningEffect, IsZeroWithoutTurning) {
   EXPECT_EQ(turningEffect(Polygon({{0, 0}, {1, 0}, {0, 1}}), {{3, 4}, 0}, 10), 0);
 }
