@@ -63,5 +63,18 @@ TEST(OnTheBoundary, AGapOfRoundingIsContactNow) {
   EXPECT_EQ(both.first->segment, 3u);
 }
 
+TEST(InsideTheBoundary, ClosingIsGoingDeeper) {
+  for (const bool reversed : {false, true}) {  // 0.25 behind the front
+    EXPECT_NEAR(firstContact({{{0.75, 0}, {-2, 1}, {0, 0}}, 0.1}, reversed).closing_speed, 2, 1e-9);
+    EXPECT_EQ(firstContact({{{0.75, 0}, {2, 1}, {0, 0}}, 0.1}, reversed).closing_speed, 0);
+  }
+}
+
+TEST(InsideTheBoundary, OfEquallyNearSegmentsTheLowerIsNamed) {
+  const FootprintContact first = firstContact({{{0, 0}, {1, 0}, {0, 0}}, 0.1});  // 0.5 to 0 and 2
+  EXPECT_EQ(first.segment, 0u);
+  EXPECT_EQ(first.contact.point, Vec2(0, -0.5));
+}
+
 }  // namespace
 }  // namespace footprint_collision_predictor::core
