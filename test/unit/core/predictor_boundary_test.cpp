@@ -76,5 +76,15 @@ TEST(InsideTheBoundary, OfEquallyNearSegmentsTheLowerIsNamed) {
   EXPECT_EQ(first.contact.point, Vec2(0, -0.5));
 }
 
+TEST(OnTheBoundary, OfTwoThatOverlapNowTheDeeperIsNamedThoughItsCentreIsFarther) {
+  const Obstacle deeper{{{3, 0}, {0, 0}, {0, 0}}, 4};  // 2 - 4
+  const Obstacle nearer{{{2, 0}, {0, 0}, {0, 0}}, 2};  // 1 - 2
+  const Prediction p = predict(Polygon(kBox), {}, {nearer, deeper}, 10);
+  const Prediction q = predict(Polygon(kBox), {}, {deeper, nearer}, 10);
+  ASSERT_TRUE(p.segments[1] && q.segments[1]);
+  EXPECT_EQ(p.segments[1]->obstacle, 1u);
+  EXPECT_EQ(q.segments[1]->obstacle, 0u);
+}
+
 }  // namespace
 }  // namespace footprint_collision_predictor::core
