@@ -51,6 +51,9 @@ TEST(PolygonRefusal, CoordinatesBeyondTheLimit) {
 TEST(PolygonRefusal, TooLarge) {
   expectRefusal({{0, 0}, {10001, 0}, {0, 1}}, "1e\\+?0?4|10000\\b", {});
   expectRefusal({{0, -6000}, {1, 0}, {0, 6000}}, "1e\\+?0?4|10000\\b", {});
+  expectRefusal({{0, 0}, {-10001, 0}, {0, 1}}, "10001", {});  // where only the smallest tells
+  expectRefusal({{-10001, 0}, {0, 0}, {-1, 1}}, "10001", {});
+  expectRefusal({{1, 0}, {0, 1}, {0, -10000}}, "10001", {});
 }
 
 TEST(PolygonRefusal, EqualNeighbours) {
