@@ -58,10 +58,13 @@ TEST(PolygonRefusal, TooLarge) {
 
 TEST(PolygonRefusal, EqualNeighbours) {
   expectRefusal({{0, 0}, {1, 0}, {1, 0}, {1, 1}}, "equal|same|repeat", {1, 2});
+  expectRefusal({{0, 0}, {0, 0}, {1, 0}, {1, 1}}, "equal|same|repeat", {0, 1});
+  EXPECT_EQ(refusalOf({{0, 0}, {0, 0}, {1, 0}}).find("leave it out"), std::string::npos);
+  EXPECT_EQ(refusalOf({{0, 0}, {1, 0}, {1, 0}, {1, 1}}).find("leave it out"), std::string::npos);
 }
 
 TEST(PolygonRefusal, LastEqualsFirst) {
-  expectRefusal({{0, 0}, {1, 0}, {1, 1}, {0, 0}}, "equal|same|repeat", {0, 3});
+  expectRefusal({{0, 0}, {1, 0}, {1, 1}, {0, 0}}, "(equal|same|repeat).*leave it out", {0, 3});
 }
 
 TEST(PolygonRefusal, CrossingEdges) {
@@ -79,6 +82,7 @@ TEST(PolygonRefusal, TouchingEdges) {
 TEST(PolygonRefusal, ASpike) {
   // Edge 2 runs back along edge 1.
   expectRefusal({{0, 0}, {4, 0}, {4, 3}, {4, 1}, {0, 1}}, "touch|back|overlap|spike", {1, 2});
+  expectRefusal({{0, 0}, {4, 0}, {4, 3}, {4, 2.5}, {0, 1}}, "back", {1, 2});  // by half a metre
   // Edge 0 runs back along edge 4.
   expectRefusal({{1, 0}, {4, 0}, {4, 3}, {6, 3}, {6, 0}}, "touch|back|overlap|spike", {4});
 }
@@ -98,8 +102,10 @@ TEST(PolygonRefusal, ASpikeOpenByADenormal) {
 }
 
 TEST(PolygonRefusal, NoArea) {
-  expectRefusal({{0, 0}, {1, 0}, {2, 0}}, "area|touch|back|overlap|spike", {});
-  expectRefusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, "area|touch|back|overlap|spike", {});
+  expectRefusal({{0, 0}, {1, 0}, {2, 0}}, "no area", {});
+  expectRefusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, "no area", {});
+  expectRefusal({{1, 1}, {3, 3}, {2, 2}}, "no area", {});
+  expectRefusal({{-2, 5}, {-1, 5}, {-3, 5}, {-2.5, 5}}, "no area", {});
 }
 
 }  // namespace
