@@ -85,6 +85,9 @@ TEST(OnTheBoundary, OfTwoThatOverlapNowTheDeeperIsNamedThoughItsCentreIsFarther)
   ASSERT_TRUE(p.segments[1] && q.segments[1]);
   EXPECT_EQ(p.segments[1]->obstacle, 1u);
   EXPECT_EQ(q.segments[1]->obstacle, 0u);
+  const Prediction same = predict(Polygon(kBox), {}, {deeper, deeper}, 10);
+  ASSERT_TRUE(same.first);
+  EXPECT_EQ(same.first->obstacle, 0u);  // of equals, the lower index
 }
 
 }  // namespace
