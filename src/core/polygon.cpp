@@ -14,8 +14,9 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double left = (a.x() - c.x()) * (b.y() - c.y());
   const double right = (a.y() - c.y()) * (b.x() - c.x());
   constexpr double kBound = 4 * std::numeric_limits<double>::epsilon();
+  constexpr double kUnderflow = std::numeric_limits<double>::min();  // his bound leaves it out
   const double turn = left - right;
-  if (std::abs(turn) <= kBound * (std::abs(left) + std::abs(right))) return 0;
+  if (std::abs(turn) <= kBound * (std::abs(left) + std::abs(right)) + kUnderflow) return 0;
   return turn > 0 ? 1 : -1;
 }
 

@@ -52,13 +52,14 @@ bool isTouching(const Segment& segment, const Motion& circle, double radius, dou
 /// form. Without acceleration the parabola is f, and one step arrives.
 std::optional<double> stepTowards(const Vec2& q, const Vec2& v, const Vec2& a, double reach,
                                   double time_left) {
-  const double lowest_at =
-      a.isZero(0) ? 0 : std::clamp(-v.dot(a) / a.squaredNorm(), 0.0, time_left);
-  const double excess = q.dot(a) + lowest_at * (3 * v.dot(a) + lowest_at * 1.5 * a.squaredNorm());
+  const double a_squared = a.squaredNorm();  // 0 also for an acceleration too small to be squared
+  const double lowest_at = a_squared > 0 ? std::clamp(-v.dot(a) / a_squared, 0.0, time_left) : 0;
+  const double excess = q.dot(a) + lowest_at * (3 * v.dot(a) + lowest_at * 1.5 * a_squared);
   const double m = v.squaredNorm() + excess;
   const double half_slope = q.dot(v);
   const double f = (q.norm() - reach) * (q.norm() + reach);
-  if (m >= 0 && half_slope >= 0) return std::nullopt;
+  // Decided before any root is taken: a tiny m would underflow in it, and lead nowhere.
+  if (half_slope >= 0 && f + m * time_left * time_left > 0) return std::nullopt;
   // half_slope^2 - f m cancels far from the end, and the same with the cross product cancels near
   // it, where the path bends as the rim does and m is small: each would lead past the contact.
   const double c = cross(q, v);

@@ -47,7 +47,7 @@ std::string described(const std::vector<Vec2>& vertices, const std::vector<Obsta
 bool close(double a, double b) { return std::abs(a - b) <= 1e-9; }
 
 TEST(FootprintLaw, TheFirstContactIsThatOfTheFirstSegment) {
-  forEachCase("footprint = min of segments", 50000, [](Random& random) -> std::string {
+  forEachCase("footprint = min of segments", kLaw, [](Random& random) -> std::string {
     const std::vector<Vec2> vertices = anyFootprint(random);
     const Polygon footprint(vertices);
     std::vector<Obstacle> obstacles;
@@ -84,7 +84,7 @@ TEST(FootprintLaw, TheFirstContactIsThatOfTheFirstSegment) {
 }
 
 TEST(FootprintLaw, TheWindingChangesOnlyTheNumbers) {
-  forEachCase("reversed winding", 50000, [](Random& random) -> std::string {
+  forEachCase("reversed winding", kLaw, [](Random& random) -> std::string {
     const std::vector<Vec2> vertices = anyFootprint(random);
     const std::vector<Vec2> reversed(vertices.rbegin(), vertices.rend());
     const std::vector<Obstacle> obstacles{anyObstacle(random), anyObstacle(random)};

@@ -106,7 +106,7 @@ std::string wrongFeature(const Place& place, const core::Contact& contact, bool 
 
 TEST(Lattice, HitsAreExactAlsoAtTheHorizon) {
   std::size_t asked = 0;
-  forEachCase("lattice, hits", 200000, [&asked](Random& random) -> std::string {
+  forEachCase("lattice, hits", kMain, [&asked](Random& random) -> std::string {
     const Place place = anyPlace(random);
     const int j = random.integer(0, 4);
     const double time = random.integer(0, 10);
@@ -133,7 +133,7 @@ TEST(Lattice, HitsAreExactAlsoAtTheHorizon) {
 
 TEST(Lattice, ExactGrazesAreContact) {
   Tally tally;
-  forEachCase("lattice, grazes", 200000, [&tally](Random& random) -> std::string {
+  forEachCase("lattice, grazes", kMain, [&tally](Random& random) -> std::string {
     const Place place = anyPlace(random);
     const int j = random.integer(1, 4);
     const double time = random.integer(0, 10);
@@ -152,7 +152,7 @@ TEST(Lattice, ExactGrazesAreContact) {
 }
 
 TEST(Lattice, NearMissesAreNone) {
-  forEachCase("lattice, misses", 200000, [](Random& random) -> std::string {
+  forEachCase("lattice, misses", kMain, [](Random& random) -> std::string {
     const Place place = anyPlace(random);
     const int j = random.integer(1, 4);
     const double time = random.integer(1, 10);

@@ -23,7 +23,7 @@ Case alongTheLine(Random& random, double radius, double across) {
 }
 
 TEST(Sliding, ParallelHoldsTheGuarantee) {
-  runSuite("parallel sliding", 200000, [](Random& random) {
+  runSuite("parallel sliding", kSpecial, [](Random& random) {
     const double radius = random.chance(0.1) ? 0 : random.logUniform(1e-2, 1e2);
     const double across = random.chance(0.5)
                               ? ulpsAway(radius, random.integer(-4, 4))
@@ -33,7 +33,7 @@ TEST(Sliding, ParallelHoldsTheGuarantee) {
 }
 
 TEST(Sliding, EndOnHoldsTheGuarantee) {
-  runSuite("collinear, end-on", 200000, [](Random& random) {
+  runSuite("collinear, end-on", kSpecial, [](Random& random) {
     const double radius = random.chance(0.3) ? 0 : random.logUniform(1e-6, 1e1);
     const double across = random.chance(0.5) ? 0 : random.logUniform(1e-17, 1e-9);
     return alongTheLine(random, radius, across);

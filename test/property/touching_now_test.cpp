@@ -7,7 +7,7 @@
 namespace footprint_collision_predictor::test {
 namespace {
 
-TEST(TouchingNow, HoldsTheGuarantee) { runSuite("touching now", 200000, touchingNow); }
+TEST(TouchingNow, HoldsTheGuarantee) { runSuite("touching now", kMain, touchingNow); }
 
 }  // namespace
 }  // namespace footprint_collision_predictor::test

@@ -7,10 +7,10 @@
 namespace footprint_collision_predictor::test {
 namespace {
 
-TEST(Uniform, HoldsTheGuarantee) { runSuite("uniform", 200000, anyCase); }
+TEST(Uniform, HoldsTheGuarantee) { runSuite("uniform", kMain, anyCase); }
 
 TEST(Uniform, HoldsTheGuaranteeWithoutAcceleration) {
-  runSuite("uniform, straight", 100000, [](Random& random) {
+  runSuite("uniform, straight", {100000, 10000000}, [](Random& random) {
     Case c = anyCase(random);
     c.circle.acceleration = {0, 0};
     return c;

@@ -87,15 +87,18 @@ void expectGuarantee(const Case& c) {
 
 std::uint64_t suiteSeed() { return std::strtoull(environment("PROPERTY_SEED", "1"), nullptr, 10); }
 
-std::size_t scaled(std::size_t cases) {
+std::size_t scaled(const SuiteSize& size) {
+  const bool is_long = environment("PROPERTY_LONG", "0") == std::string("1");
+  const std::size_t cases = is_long ? size.long_run : size.each_time;
   const double scale = std::strtod(environment("PROPERTY_SCALE", "1"), nullptr);
   return static_cast<std::size_t>(static_cast<double>(cases) * scale);
 }
 
-void forEachCase(const std::string& suite, std::size_t cases,
+void forEachCase(const std::string& suite, const SuiteSize& size,
                  const std::function<std::string(Random&)>& each) {
+  const std::size_t cases = scaled(size);
   int failed = 0;
-  for (std::size_t i = 0; i < scaled(cases) && failed < 5; ++i) {
+  for (std::size_t i = 0; i < cases && failed < 5; ++i) {
     Random random(suiteSeed(), i);
     const std::string wrong = each(random);
     if (wrong.empty()) continue;
@@ -106,10 +109,10 @@ void forEachCase(const std::string& suite, std::size_t cases,
   }
 }
 
-void runSuite(const std::string& suite, std::size_t cases,
+void runSuite(const std::string& suite, const SuiteSize& size,
               const std::function<Case(Random&)>& make) {
   Tally tally;
-  forEachCase(suite, cases, [&](Random& random) { return violations(make(random), &tally); });
+  forEachCase(suite, size, [&](Random& random) { return violations(make(random), &tally); });
   std::printf(
       "%-28s %7zu cases %7zu hits %3zu missed, worst: %7.1e s late, gap %7.1e m (%7.1e of size)\n",
       suite.c_str(), tally.cases, tally.hits, tally.misses, tally.worst_lateness, tally.worst_gap,

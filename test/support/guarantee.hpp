@@ -33,16 +33,27 @@ void expectGuarantee(const Case& c);
 
 /// The seed of every random suite, from PROPERTY_SEED, else 1.
 std::uint64_t suiteSeed();
-/// `cases` times PROPERTY_SCALE, for long runs.
-std::size_t scaled(std::size_t cases);
+/// How many cases a suite has: each time, and in the long run that PROPERTY_LONG=1 asks for.
+struct SuiteSize {
+  std::size_t each_time;
+  std::size_t long_run;
+};
+constexpr SuiteSize kMain{200000, 10000000};
+constexpr SuiteSize kSpecial{200000, 1000000};
+constexpr SuiteSize kHalf{100000, 1000000};
+constexpr SuiteSize kLaw{100000, 1000000};
+constexpr SuiteSize kProven{20000, 1000000};  // against the interval oracle, which takes its time
+
+/// The size that is asked for, times PROPERTY_SCALE.
+std::size_t scaled(const SuiteSize& size);
 
 /// Calls each(random, index) for that many cases, stops after five that failed, and puts the
 /// suite's name, seed and index into what they print.
-void forEachCase(const std::string& suite, std::size_t cases,
+void forEachCase(const std::string& suite, const SuiteSize& size,
                  const std::function<std::string(Random&)>& each);
 
 /// Puts that many random cases to the guarantee and prints a line of summary.
-void runSuite(const std::string& suite, std::size_t cases,
+void runSuite(const std::string& suite, const SuiteSize& size,
               const std::function<Case(Random&)>& make);
 
 }  // namespace footprint_collision_predictor::test

@@ -65,5 +65,25 @@ TEST(FoundCase, AShallowBoomerang) {
   expectGuarantee(c);
 }
 
+// What is left of an acceleration that a filter lets decay: not 0, but its square is.
+TEST(FoundCase, AnAccelerationTooSmallToBeSquared) {
+  const Case c{{{0x1.88p+5, 0x0p+0}, {0x1.88p+5, -0x1p+7}},
+               {{0x0p+0, 0x1.6p+5}, {0x1.88p+5, 0x0p+0}, {0x0p+0, -0x0.0002c2c3f6041p-1022}},
+               0x1.8p+5,
+               0x1.08p+5};
+  expectGuarantee(c);
+}
+
+// Leaves square to the way to the end, but for less than a double can square: no step led on, and
+// giving up was taken for contact.
+TEST(FoundCase, SquareToTheEndButForADenormal) {
+  const Case c{{{-0x1.b851eb851eb87p-12, -0x1.b851eb851eb87p-12},
+                {-0x0.0000000000002p-1022, -0x1.b851eb851eb89p-12}},
+               {{0x0p+0, 0x0p+0}, {0x0p+0, 0x0p+0}, {-0x1p+0, 0x0p+0}},
+               0x0p+0,
+               0x1.7cp+6};
+  expectGuarantee(c);
+}
+
 }  // namespace
 }  // namespace footprint_collision_predictor::test

@@ -92,5 +92,14 @@ TEST(RelativeMotion, OfAFootprintThatStandsStillIsTheObstacles) {
   EXPECT_EQ(m.acceleration, kGood.acceleration);
 }
 
+TEST(Obstacle, LaterIsWhereItThenIsAsSeenFromTheFootprint) {
+  const Obstacle now{{{5, 1}, {-1, 0}, {2, -4}}, 0.5};
+  const Obstacle later = now.after(2, {{1, 0}, 0});  // 5 - 2 * 2 + 2 * 4 / 2, 1 - 4 * 4 / 2
+  EXPECT_EQ(later.motion().position, Vec2(5, -7));
+  EXPECT_EQ(later.motion().velocity, Vec2(3, -8));  // over ground
+  EXPECT_EQ(later.motion().acceleration, Vec2(2, -4));
+  EXPECT_EQ(later.radius(), 0.5);
+}
+
 }  // namespace
 }  // namespace footprint_collision_predictor::core

@@ -117,6 +117,7 @@ TEST(Predict, ACornerNamesTheLowerSegmentFromEveryDirection) {
     ASSERT_TRUE(p.first);
     ASSERT_EQ(p.first->segment, lower[k]);
     ASSERT_EQ(p.first->contact.point, box[k]);
+    ASSERT_EQ(p.first->contact.feature, k == 0 ? Feature::kStart : Feature::kEnd);
   }
 }
 

@@ -37,7 +37,7 @@ double largestDeviation(const Polygon& footprint, const Twist& twist, double hor
 }
 
 TEST(TurningEffect, IsAnUpperBound) {
-  forEachCase("turning effect", 2000, [](Random& random) -> std::string {
+  forEachCase("turning effect", {2000, 100000}, [](Random& random) -> std::string {
     const Vec2 at = random.uniform(0, 3) * random.direction();  // the origin may be off the body
     const Polygon footprint({at, at + Vec2{random.uniform(0.1, 2), 0}, at + Vec2{0, 1}});
     const Twist twist{random.uniform(0, 5) * random.direction(),
@@ -48,6 +48,14 @@ TEST(TurningEffect, IsAnUpperBound) {
     if (std::isfinite(bound) && bound >= truth * (1 - 1e-9) - 1e-9) return "";
     return "bound " + std::to_string(bound) + " < " + std::to_string(truth);
   });
+}
+
+TEST(TurningEffect, IsNoLargerThanNeededForASmallAngle) {
+  const Polygon footprint({{0, 0}, {0.3, 0.4}, {0.1, -0.1}});
+  const Twist twist{{1.2, 1.6}, 1e-4};  // towards the farthest vertex: both effects add up
+  const double truth = largestDeviation(footprint, twist, 1);
+  EXPECT_NEAR(truth, 1.5e-4, 1e-8);  // 1e-4 * (0.5 + 2 / 2)
+  EXPECT_LE(turningEffect(footprint, twist, 1), 1.001 * truth);
 }
 
 TEST(TurningEffect, IsZeroWithoutTurning) {

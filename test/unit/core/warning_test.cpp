@@ -28,6 +28,13 @@ TEST(Level, IsOrderedCriticalUnknownWarnClear) {
     }
 }
 
+TEST(Level, AValueThatIsNoneCountsAsUnknown) {
+  const auto none = static_cast<Level>(7);
+  EXPECT_TRUE(isWorse(none, Level::kWarn));
+  EXPECT_FALSE(isWorse(none, Level::kUnknown));
+  EXPECT_TRUE(isWorse(Level::kCritical, none));
+}
+
 TEST(Assess, ThresholdsAreInclusive) {
   EXPECT_EQ(assessed(0, true), Level::kCritical);
   EXPECT_EQ(assessed(1.5, true), Level::kCritical);
