@@ -24,13 +24,13 @@ std::string duration(double seconds) {
 }
 
 /// A zero stamp, or one ahead of the clock.
-Findings impossibleStamp(const ros::Time& stamp, const ros::Time& clock, const std::string& topic) {
+Findings impossibleStamp(const ros::Time& stamp, double lead, double largest_lead,
+                         const std::string& topic) {
   Findings findings;
-  const double lead = secondsBetween(clock, stamp);
   if (stamp.isZero())
     findings.add(CollisionWarning::REASON_STAMP,
                  "the message on " + topic + " has stamp 0: its source must stamp its messages");
-  else if (lead > kLargestLead)
+  else if (lead > largest_lead)
     findings.add(CollisionWarning::REASON_STAMP,
                  "the message on " + topic + " is stamped " + duration(lead) +
                      " ahead of the clock: synchronise the machines' clocks; when replaying fast, "
@@ -44,6 +44,11 @@ Findings refusal(const InputReasons& input, std::uint32_t reason, const std::str
   Findings findings;
   findings.add(reason, "the message on " + input.topic + " is refused: " + why);
   return findings;
+}
+
+double leadOf(const ros::Time& stamp, const Moment& arrived, const Moment& now) {
+  const double lead = secondsBetween(now.ros, stamp);
+  return arrived.ros.isZero() ? lead : lead + secondsBetween(arrived.steady, now.steady);
 }
 
 Findings headerFindings(const std_msgs::Header& header, const Moment& arrived, const Moment& now,
@@ -61,7 +66,8 @@ Findings headerFindings(const std_msgs::Header& header, const Moment& arrived, c
                      "recording with --clock, or set /use_sim_time to false");
     return findings;
   }
-  findings.add(impossibleStamp(header.stamp, clock, topic));
+  findings.add(
+      impossibleStamp(header.stamp, leadOf(header.stamp, arrived, now), kLargestLead, topic));
   const double age = secondsBetween(header.stamp, clock);
   if (!header.stamp.isZero() && age > max_data_age)
     findings.add(CollisionWarning::REASON_OBSTACLES_STALE,
@@ -72,7 +78,7 @@ Findings headerFindings(const std_msgs::Header& header, const Moment& arrived, c
 }
 
 Findings odometryFindings(const nav_msgs::Odometry& odometry, const Moment& now,
-                          const std::string& topic) {
+                          double largest_lead, const std::string& topic) {
   const auto usable = [](double rate) { return std::abs(rate) <= core::kMaxRate; };  // not for NaN
   const auto& twist = odometry.twist.twist;
   Findings findings;
@@ -82,7 +88,9 @@ Findings odometryFindings(const nav_msgs::Odometry& odometry, const Moment& now,
                       twist.linear.y, ", ", twist.angular.z, ") must be finite and at most ",
                       core::kMaxRate));
   if (odometry.header.stamp.isZero() || !now.ros.isZero())
-    findings.add(impossibleStamp(odometry.header.stamp, now.ros, topic));
+    findings.add(impossibleStamp(odometry.header.stamp,
+                                 secondsBetween(now.ros, odometry.header.stamp), largest_lead,
+                                 topic));
   return findings;
 }
 

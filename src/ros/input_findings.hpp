@@ -41,13 +41,18 @@ auto decodedOrRefused(const Decode& decode, const InputReasons& input, Findings&
   return std::nullopt;
 }
 
+/// How far [s] a stamp was ahead of the clock when its message came, as is known by now: a
+/// simulated clock that merely reached this process late has caught up since.
+double leadOf(const ros::Time& stamp, const Moment& arrived, const Moment& now);
+
 /// Of an obstacles message: a frame, and a stamp near the clock.
 Findings headerFindings(const std_msgs::Header& header, const Moment& arrived, const Moment& now,
                         double max_data_age, const std::string& topic);
 
-/// Of an odometry message: finite numbers, and a stamp that is not zero nor ahead of the clock.
+/// Of an odometry message: finite numbers, and a stamp that is not zero nor farther ahead of the
+/// clock than `largest_lead` [s].
 Findings odometryFindings(const nav_msgs::Odometry& odometry, const Moment& now,
-                          const std::string& topic);
+                          double largest_lead, const std::string& topic);
 
 /// "the newest message on ... is ... old"
 std::string staleText(const std::string& topic, double age, double max_data_age);

@@ -14,6 +14,7 @@ Pipeline::Pipeline(const Parameters& parameters, const InputNames& names, tf2::B
       names_(names),
       tf_(tf),
       publish_(std::move(publish)),
+      largest_odometry_lead_(simulated_clock ? parameters.max_data_age : kLargestLead),
       inputs_(parameters, names, simulated_clock),
       hold_(parameters.clear_after),
       queue_(parameters_, tf_, inputs_.odometry()) {}
@@ -52,7 +53,7 @@ void Pipeline::receiveOdometry(const RawMessage& raw, const Moment& now) {
   const auto message = decodedOrRefused(
       [&] { return decodeOdometry(raw); },
       {names_.odom, Warning::REASON_ODOM_INVALID, Warning::REASON_ODOM_INVALID}, problem);
-  if (message) problem = odometryFindings(*message, now, names_.odom);
+  if (message) problem = odometryFindings(*message, now, largest_odometry_lead_, names_.odom);
   if (problem.makeUnknown()) return inputs_.refuseOdometry(problem);
   const auto& twist = message->twist.twist;
   const std::string& frame = message->child_frame_id;

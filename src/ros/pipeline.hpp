@@ -60,6 +60,8 @@ class Pipeline {
   tf2::BufferCore& tf_;
   const Publish publish_;
 
+  // [s] A simulated clock may reach this process late; odometry from a little later does no harm.
+  const double largest_odometry_lead_;
   Inputs inputs_;
   core::LevelHold hold_;
   WaitingQueue queue_;

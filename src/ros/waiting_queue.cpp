@@ -1,5 +1,6 @@
 #include "waiting_queue.hpp"
 
+#include "input_findings.hpp"
 #include "planar_pose.hpp"
 
 namespace footprint_collision_predictor {
@@ -31,7 +32,8 @@ std::optional<Waiting> WaitingQueue::pop(const Moment& now) {
 bool WaitingQueue::isReady(const Waiting& waiting, const Moment& now) const {
   if (const auto* obstacles = std::get_if<ObstacleArray>(&waiting.message))
     return isHopeless(obstacles->header) ||
-           (isPlaced(obstacles->header, now) && hasMotion(obstacles->header.stamp));
+           (leadOf(obstacles->header.stamp, waiting.arrived, now) <= kLargestLead &&
+            isPlaced(obstacles->header, now) && hasMotion(obstacles->header.stamp));
   if (const auto* footprint = std::get_if<geometry_msgs::PolygonStamped>(&waiting.message))
     return isHopeless(footprint->header) || isPlaced(footprint->header, now);
   return true;
