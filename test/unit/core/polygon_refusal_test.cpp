@@ -83,8 +83,8 @@ TEST(PolygonRefusal, TouchingEdges) {
 TEST(PolygonRefusal, ASpike) {
   // Edge 2 runs back along edge 1.
   expectRefusal({{0, 0}, {4, 0}, {4, 3}, {4, 1}, {0, 1}}, "touch|back|overlap|spike", {1, 2});
-  expectRefusal({{0, 0}, {4, 0}, {4, 3}, {4, 2.5}, {0, 1}},
-                "segments 1 and 2 fold back.*at vertex 2 \\(4, 3\\)", {});  // by half a metre
+  expectRefusal({{0, 0}, {4, 0}, {4, 3}, {4, 2.75}, {0, 1}},
+                "segments 1 and 2 fold back.*at vertex 2 \\(4, 3\\)", {});
   // Edge 0 runs back along edge 4.
   expectRefusal({{1, 0}, {4, 0}, {4, 3}, {6, 3}, {6, 0}}, "touch|back|overlap|spike", {4});
 }
