@@ -51,7 +51,8 @@ std::string described(const Polygon& footprint, const std::vector<Obstacle>& obs
   return text;
 }
 
-/// The footprint's answers must be those of its segments, each asked alone.
+/// The footprint's answers must be those of its segments, each asked alone, but for shared
+/// vertices.
 std::string wrongPrediction(const Polygon& footprint, const core::Twist& twist,
                             const std::vector<Obstacle>& obstacles, double horizon,
                             const Prediction& prediction) {
@@ -65,7 +66,11 @@ std::string wrongPrediction(const Polygon& footprint, const core::Twist& twist,
       if (contact) alone = std::min(alone, contact->time);
     }
     const auto& together = prediction.segments.at(i);
-    if ((together ? together->contact.time : HUGE_VAL) != alone) return "segment differs alone";
+    const double time = together ? together->contact.time : HUGE_VAL;
+    // A touch of a vertex is also one of the neighbour, which may see it a rounding later, or not.
+    const bool is_shared = together && together->contact.feature != core::Feature::kInside;
+    if (time != alone && !(is_shared && time < alone)) return "segment differs alone";
+    alone = time;
     earliest = std::min(earliest, alone);
   }
   const double first = prediction.first ? prediction.first->contact.time : HUGE_VAL;
