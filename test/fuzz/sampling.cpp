@@ -8,8 +8,8 @@ namespace footprint_collision_predictor::test {
 namespace {
 
 using Real = long double;
-constexpr Real kRounding = 1e-17L;    // of the size of the coordinates; some hundred roundings
-constexpr Real kUnderflow = 1e-150L;  // [m] below, squares of doubles are no longer normal
+constexpr Real kRounding = 1e-17L;   // of the size of the coordinates; some hundred roundings
+constexpr Real kUnderflow = 1e-60L;  // [m] far below, products of several lengths become 0
 constexpr int kSamples = 24;
 
 struct Point {
