@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 #include "footprint_collision_predictor/polygon.hpp"
 
@@ -37,31 +38,42 @@ class InvalidObstacle : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A valid circular obstacle.
+/// A circle that moves and may grow: its radius is radius + radius_rate t.
+struct Disc {
+  Motion motion;           ///< of the centre
+  double radius;           ///< [m] >= 0 at t = 0
+  double radius_rate = 0;  ///< [m/s] >= 0
+
+  double radiusAt(double t) const { return radius + radius_rate * t; }
+};
+
+/// A valid obstacle: a disc, or a line or polygon (its outline) rounded by the disc's radius.
 class Obstacle {
  public:
   /// \param motion of the centre over ground, in the footprint's frame at t = 0
-  /// \param radius [m] >= 0; 0 is a point
+  /// \param radius [m] >= 0 at t = 0; 0 is a point
+  /// \param radius_rate [m/s] >= 0, by which the radius grows
+  /// \param outline [m] relative to the centre, moving with it without turning: empty for a circle, 2
+  ///     vertices for a line, more for a closed polygon in either winding
   /// \throws InvalidObstacle for a value that is not finite or beyond kMaxCoordinate, kMaxRate or
-  ///     kMaxRadius, and for a negative radius.
-  Obstacle(const Motion& motion, double radius);
+  ///     kMaxRadius, for a negative radius or radius_rate, and for an outline of 1 vertex.
+  Obstacle(const Motion& motion, double radius, double radius_rate = 0,
+           std::vector<Vec2> outline = {});
 
-  const Motion& motion() const { return motion_; }
-  double radius() const { return radius_; }
-  /// The same obstacle `dt` [s] later, relative to a footprint that has moved on without turning.
+  const Disc& disc() const { return disc_; }
+  const Motion& motion() const { return disc_.motion; }
+  double radius() const { return disc_.radius; }
+  const std::vector<Vec2>& outline() const { return outline_; }
+  /// The same obstacle `dt` [s] later, as seen from a footprint that has moved on for so long.
   Obstacle after(double dt, const Twist& footprint) const;
 
  private:
-  Motion motion_;
-  double radius_;
+  Disc disc_;
+  std::vector<Vec2> outline_;
 };
 
 /// The obstacle's motion as seen from the footprint (S1): the footprint stands still, only the
-/// obstacle moves. Exact while the footprint does not turn; see turningEffect.
+/// obstacle moves. Exact while the footprint does not turn.
 Motion relativeMotion(const Motion& obstacle, const Twist& footprint);
-
-/// How far [m] any point of the footprint can come, within the horizon [s], from where it would be
-/// without the yaw rate: an upper bound. 0 for a twist without yaw rate.
-double turningEffect(const Polygon& footprint, const Twist& twist, double horizon);
 
 }  // namespace footprint_collision_predictor::core
