@@ -13,6 +13,14 @@ struct Segment {
   Vec2 end;
 };
 
+/// A segment together with what every question about it needs.
+struct Edge : Segment {
+  explicit Edge(const Segment& segment);
+
+  Vec2 tangent;   ///< unit vector from start to end; any when they are the same point
+  double length;  ///< [m]
+};
+
 /// z component of a x b: positive when b points to the left of a.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 

@@ -53,7 +53,8 @@ class Obstacle {
   /// \param motion of the centre over ground, in the footprint's frame at t = 0
   /// \param radius [m] >= 0 at t = 0; 0 is a point
   /// \param radius_rate [m/s] >= 0, by which the radius grows
-  /// \param outline [m] relative to the centre, moving with it without turning: empty for a circle, 2
+  /// \param outline [m] relative to the centre, moving with it without turning: empty for a circle,
+  /// 2
   ///     vertices for a line, more for a closed polygon in either winding
   /// \throws InvalidObstacle for a value that is not finite or beyond kMaxCoordinate, kMaxRate or
   ///     kMaxRadius, for a negative radius or radius_rate, and for an outline of 1 vertex.
@@ -71,6 +72,14 @@ class Obstacle {
   Disc disc_;
   std::vector<Vec2> outline_;
 };
+
+/// Where the frame's origin is `dt` [s] later [m], in the axes of now: along a straight line or an
+/// arc.
+Vec2 displacement(const Twist& twist, double dt);
+
+/// The same motion of the body, told for another of its points: the twist of a frame with its
+/// origin there and the same axes.
+Twist atPoint(const Vec2& point, const Twist& twist);
 
 /// The obstacle's motion as seen from the footprint (S1): the footprint stands still, only the
 /// obstacle moves. Exact while the footprint does not turn.

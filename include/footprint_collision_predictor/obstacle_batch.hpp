@@ -2,14 +2,25 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "footprint_collision_predictor/motion.hpp"
 
 namespace footprint_collision_predictor::core {
 
-/// Filled once for each moment; cleared and refilled with no more than before, it does not
-/// allocate. Less than 100 bytes for each circle.
+/// Edges of a line (1), of a closed polygon (more), or none of a circle; somebody else's.
+struct Outline {
+  const Edge* first = nullptr;
+  std::size_t size = 0;
+
+  const Edge* begin() const { return first; }
+  const Edge* end() const { return first + size; }
+  bool isClosed() const { return size > 1; }
+};
+
+/// Obstacles, laid out for firstContact() and firstContacts(). Filled once for each moment; cleared
+/// and refilled with no more than before, it does not allocate. 76 bytes for each circle.
 class ObstacleBatch {
  public:
   ObstacleBatch() = default;
@@ -18,10 +29,26 @@ class ObstacleBatch {
   void clear();
   void reserve(std::size_t obstacles);
   void add(const Obstacle& obstacle);
-  std::size_t size() const { return x_.size(); }
+  std::size_t size() const { return x.size(); }
+
+  Disc disc(std::size_t i) const;
+  /// Relative to the disc's centre.
+  Outline outline(std::size_t i) const;
+  /// [m/s^2] at least that of every obstacle
+  double largestAcceleration() const { return largest_acceleration_; }
+
+  /// One value for each obstacle, for what goes through all of them.
+  std::vector<double> x, y;             ///< [m] position
+  std::vector<double> vx, vy;           ///< [m/s] velocity
+  std::vector<double> ax, ay;           ///< [m/s^2] acceleration
+  std::vector<double> radius;           ///< [m]
+  std::vector<double> radius_rate;      ///< [m/s]
+  std::vector<double> bounding_radius;  ///< [m] of the circle about the position that holds it all
 
  private:
-  std::vector<double> x_;
+  std::vector<std::uint32_t> outline_end_;  ///< in outline_edges_
+  std::vector<Edge> outline_edges_;
+  double largest_acceleration_ = 0;
 };
 
 }  // namespace footprint_collision_predictor::core

@@ -47,7 +47,7 @@ class Polygon {
   const std::vector<Vec2>& vertices() const { return vertices_; }
   /// Number of segments, which is also the number of vertices.
   std::size_t size() const { return vertices_.size(); }
-  Segment segment(std::size_t i) const { return {vertices_[i], vertices_[(i + 1) % size()]}; }
+  const Edge& segment(std::size_t i) const { return edges_[i]; }
   /// [m^2] > 0, whatever the winding.
   double area() const;
   bool isCounterClockwise() const { return signed_area_ > 0; }
@@ -60,6 +60,7 @@ class Polygon {
 
  private:
   std::vector<Vec2> vertices_;
+  std::vector<Edge> edges_;
   double signed_area_;
   Vec2 centroid_;
   double bounding_radius_;

@@ -60,8 +60,8 @@ struct Prediction {
   std::vector<std::optional<SegmentContact>> segments;
   /// As firstContact() has it.
   std::optional<FootprintContact> first;
-  /// Smallest gap at t = 0 [m]: signed distance from an obstacle's centre or outline to the boundary
-  /// (negative where one is inside the other) minus the radius. Nothing without obstacles.
+  /// Smallest gap at t = 0 [m]: signed distance from an obstacle's centre or outline to the
+  /// boundary (negative where one is inside the other) minus the radius. Nothing without obstacles.
   std::optional<double> clearance;
   /// Nothing without obstacles.
   std::optional<ClosestApproach> closest;

@@ -24,8 +24,8 @@ struct Contact {
   Vec2 point;       ///< [m] the point of the segment that is touched; the nearest one in an overlap
 };
 
-/// Earliest t in [0, horizon] at which the distance from the disc's centre to the segment is at most
-/// its radius. Touching is contact, also at t = 0 while separating, and at the horizon itself.
+/// Earliest t in [0, horizon] at which the distance from the disc's centre to the segment is at
+/// most its radius. Touching is contact, also at t = 0 while separating, and at the horizon itself.
 ///
 /// \param segment that stands still; start == end is a point
 /// \param disc as it moves in the segment's frame

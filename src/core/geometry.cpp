@@ -15,6 +15,11 @@ double nearestFraction(const Vec2& direction, const Vec2& p) {
 
 }  // namespace
 
+Edge::Edge(const Segment& segment)
+    : Segment(segment), tangent(1, 0), length((segment.end - segment.start).norm()) {
+  if (length > 0) tangent = (segment.end - segment.start) / length;
+}
+
 Vec2 closestPoint(const Segment& segment, const Vec2& p) {
   const Vec2 direction = segment.end - segment.start;
   const double fraction = nearestFraction(direction, p - segment.start);

@@ -1,13 +1,15 @@
 #include "footprint_collision_predictor/motion.hpp"
 
-#include <algorithm>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <sstream>
+#include <string>
+#include <utility>
 
 namespace footprint_collision_predictor::core {
 namespace {
 
-void requireWithin(const char* field, double value, double lowest, double highest) {
+void requireWithin(const std::string& field, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return;  // false for NaN
   std::ostringstream text;
   text << field << " is " << value << "; allowed is a finite number from " << lowest << " to "
@@ -15,35 +17,56 @@ void requireWithin(const char* field, double value, double lowest, double highes
   throw InvalidObstacle(text.str());
 }
 
+void requireWithin(const char* field, const Vec2& value, double limit) {
+  if (std::abs(value.x()) <= limit && std::abs(value.y()) <= limit) return;
+  requireWithin(std::string(field) + ".x", value.x(), -limit, limit);
+  requireWithin(std::string(field) + ".y", value.y(), -limit, limit);
+}
+
 }  // namespace
 
-Obstacle::Obstacle(const Motion& motion, double radius) : motion_(motion), radius_(radius) {
-  requireWithin("position.x", motion.position.x(), -kMaxCoordinate, kMaxCoordinate);
-  requireWithin("position.y", motion.position.y(), -kMaxCoordinate, kMaxCoordinate);
-  requireWithin("velocity.x", motion.velocity.x(), -kMaxRate, kMaxRate);
-  requireWithin("velocity.y", motion.velocity.y(), -kMaxRate, kMaxRate);
-  requireWithin("acceleration.x", motion.acceleration.x(), -kMaxRate, kMaxRate);
-  requireWithin("acceleration.y", motion.acceleration.y(), -kMaxRate, kMaxRate);
+Obstacle::Obstacle(const Motion& motion, double radius, double radius_rate,
+                   std::vector<Vec2> outline)
+    : disc_{motion, radius, radius_rate}, outline_(std::move(outline)) {
+  requireWithin("position", motion.position, kMaxCoordinate);
+  requireWithin("velocity", motion.velocity, kMaxRate);
+  requireWithin("acceleration", motion.acceleration, kMaxRate);
   requireWithin("radius", radius, 0, kMaxRadius);
+  requireWithin("radius_rate", radius_rate, 0, kMaxRate);
+  for (const Vec2& vertex : outline_) requireWithin("outline", vertex, kMaxCoordinate);
+  if (outline_.size() == 1)
+    throw InvalidObstacle(
+        "outline has 1 vertex; allowed are none for a circle, 2 for a line, or more for a polygon");
 }
 
 Obstacle Obstacle::after(double dt, const Twist& footprint) const {
+  const Motion& now = disc_.motion;
+  // The axes of the footprint's frame as they are then, in those of now.
+  const Eigen::Rotation2Dd turn(footprint.angular * dt);
+  const auto turned = [&](const Vec2& v) -> Vec2 { return turn.inverse() * v; };
   Obstacle later = *this;
-  later.motion_.position = relativeMotion(motion_, footprint).positionAt(dt);
-  later.motion_.velocity = motion_.velocityAt(dt);
+  later.disc_.motion = {turned(now.positionAt(dt) - displacement(footprint, dt)),
+                        turned(now.velocityAt(dt)), turned(now.acceleration)};
+  later.disc_.radius = disc_.radiusAt(dt);
+  for (Vec2& vertex : later.outline_) vertex = turned(vertex);
   return later;
+}
+
+Vec2 displacement(const Twist& twist, double dt) {
+  // The mean direction of travel is that of half the turn, and the chord is shorter than the arc by
+  // sin(x) / x of it: no difference of near numbers, however small the yaw rate.
+  if (twist.angular == 0) return dt * twist.linear;
+  const double half_turn = 0.5 * twist.angular * dt;
+  const double shortening = half_turn == 0 ? 1 : std::sin(half_turn) / half_turn;
+  return (dt * shortening) * (Eigen::Rotation2Dd(half_turn) * twist.linear);
+}
+
+Twist atPoint(const Vec2& point, const Twist& twist) {
+  return {twist.linear + twist.angular * leftNormal(point), twist.angular};
 }
 
 Motion relativeMotion(const Motion& obstacle, const Twist& footprint) {
   return {obstacle.position, obstacle.velocity - footprint.linear, obstacle.acceleration};
-}
-
-double turningEffect(const Polygon& footprint, const Twist& twist, double horizon) {
-  // A point at distance R from the frame's origin is turned by at most w t about it, and the
-  // direction of travel likewise, which integrates to v w t^2 / 2.
-  double reach = 0;
-  for (const Vec2& vertex : footprint.vertices()) reach = std::max(reach, vertex.norm());
-  return std::abs(twist.angular) * horizon * (reach + 0.5 * twist.linear.norm() * horizon);
 }
 
 }  // namespace footprint_collision_predictor::core

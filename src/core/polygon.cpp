@@ -115,6 +115,13 @@ std::vector<Vec2> validated(std::vector<Vec2> vertices) {
   return vertices;
 }
 
+std::vector<Edge> edgesOf(const std::vector<Vec2>& vertices) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    edges.emplace_back(Segment{vertices[i], vertices[(i + 1) % vertices.size()]});
+  return edges;
+}
+
 }  // namespace
 
 double signedArea(const std::vector<Vec2>& vertices) {
@@ -138,6 +145,7 @@ Vec2 centroid(const std::vector<Vec2>& vertices) {
 
 Polygon::Polygon(std::vector<Vec2> vertices)
     : vertices_(validated(std::move(vertices))),
+      edges_(edgesOf(vertices_)),
       signed_area_(core::signedArea(vertices_)),
       centroid_(core::centroid(vertices_)),
       bounding_radius_(farthestFrom(centroid_, vertices_)) {}
@@ -148,7 +156,7 @@ bool Polygon::contains(const Vec2& p) const {
   // Counts the edges to the right of p (Haines, "Point in Polygon Strategies", 1994).
   bool inside = false;
   for (std::size_t i = 0; i < size(); ++i) {
-    const Segment edge = segment(i);
+    const Segment& edge = edges_[i];
     if ((edge.start.y() > p.y()) == (edge.end.y() > p.y())) continue;
     const bool upwards = edge.end.y() > edge.start.y();
     const bool left_of_edge = cross(edge.end - edge.start, p - edge.start) > 0;

@@ -1,164 +1,230 @@
 #include "footprint_collision_predictor/predictor.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
+
+#include "broad_phase.hpp"
+#include "closest_approach.hpp"
+#include "narrow_phase.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
 
-/// The footprint's nearest segment to a point, and the signed distance to it (negative inside).
-struct Nearest {
-  std::size_t segment;
-  double signed_distance;
+Shape shapeOf(const ObstacleBatch& obstacles, std::size_t i) {
+  return {obstacles.disc(i), obstacles.outline(i)};
+}
+
+/// Calls visit(index) for all obstacles that may come within gap() [m] of the footprint within
+/// horizon() [s], in order. Both may shrink as they are visited.
+template <typename Horizon, typename Gap, typename Visit>
+void forEachNear(const Polygon& footprint, const Twist& twist, const ObstacleBatch& obstacles,
+                 const Horizon& horizon, const Gap& gap, const Visit& visit) {
+  std::array<std::size_t, kBlock> candidates;
+  const InstructionSet set = widestInstructionSet();
+  double swept_for = horizon();
+  SweptFootprint swept(footprint, twist, swept_for, obstacles.largestAcceleration());
+  for (std::size_t begin = 0; begin < obstacles.size(); begin += kBlock) {
+    if (horizon() < swept_for) {
+      swept_for = horizon();
+      swept = SweptFootprint(footprint, twist, swept_for, obstacles.largestAcceleration());
+    }
+    const std::size_t end = std::min(begin + kBlock, obstacles.size());
+    const std::size_t count = findCandidates(obstacles, begin, end, swept, gap(), set, &candidates);
+    for (std::size_t k = 0; k < count; ++k) visit(candidates[k]);
+  }
+}
+
+/// The obstacle with the smallest gap now, of those with less than `below` [m].
+struct NearestObstacle {
+  std::size_t obstacle;
+  Nearest nearest;
 };
 
-Nearest nearestTo(const Vec2& point, const Polygon& footprint) {
-  Nearest nearest{0, distance(footprint.segment(0), point)};
-  for (std::size_t i = 1; i < footprint.size(); ++i) {
-    const double d = distance(footprint.segment(i), point);
-    if (d < nearest.signed_distance) nearest = {i, d};
-  }
-  if (footprint.contains(point)) nearest.signed_distance = -nearest.signed_distance;
-  return nearest;
+std::optional<NearestObstacle> nearestObstacle(const Polygon& footprint,
+                                               const ObstacleBatch& obstacles, double below) {
+  std::optional<NearestObstacle> smallest;
+  const auto gap = [&] { return smallest ? smallest->nearest.gap : below; };
+  const auto now = [] { return 0.0; };
+  const SweptFootprint still(footprint, {}, 0, 0);
+  forEachNear(footprint, {}, obstacles, now, gap, [&](std::size_t j) {
+    if (!mayComeWithin(gap(), still, obstacles.disc(j), obstacles.bounding_radius[j])) return;
+    const Nearest nearest = nearestNow(footprint, shapeOf(obstacles, j));
+    if (nearest.gap < gap()) smallest = NearestObstacle{j, nearest};
+  });
+  return smallest;
 }
 
-Feature featureOf(const Segment& segment, const Vec2& point) {
-  if (point == segment.start) return Feature::kStart;
-  return point == segment.end ? Feature::kEnd : Feature::kInside;
+/// Whether a contact of obstacle j replaces the one known of a segment.
+bool comesFirst(const Edge& edge, const ObstacleBatch& obstacles, const Contact& contact,
+                std::size_t j, const SegmentContact& known) {
+  if (contact.time != known.contact.time) return contact.time < known.contact.time;
+  return gapNow(edge, shapeOf(obstacles, j)) < gapNow(edge, shapeOf(obstacles, known.obstacle));
 }
 
-/// The other segment at the vertex that a contact names; nothing when it is inside of its segment.
-std::optional<std::size_t> neighbourAt(Feature feature, std::size_t segment, std::size_t size) {
-  if (feature == Feature::kStart) return (segment + size - 1) % size;
-  if (feature == Feature::kEnd) return (segment + 1) % size;
-  return std::nullopt;
+/// Whether the footprint's contact with obstacle j comes before one with the obstacle `known`.
+bool comesFirst(const Polygon& footprint, const ObstacleBatch& obstacles, double time,
+                std::size_t j, double known_time, std::size_t known) {
+  if (time != known_time || j == known) return time < known_time;
+  return nearestNow(footprint, shapeOf(obstacles, j)).gap <
+         nearestNow(footprint, shapeOf(obstacles, known)).gap;
 }
 
 /// A touch of a vertex is one of both its segments, at the same time. Each has found it by itself,
 /// but for rounding.
 void shareVertexContacts(const Polygon& footprint,
-                         std::vector<std::optional<SegmentContact>>& segments) {
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (!segments[i]) continue;
-    const SegmentContact& hit = *segments[i];
-    const auto neighbour = neighbourAt(hit.contact.feature, i, segments.size());
+                         std::vector<std::optional<SegmentContact>>* contacts) {
+  for (std::size_t i = 0; i < contacts->size(); ++i) {
+    if (!(*contacts)[i]) continue;
+    const SegmentContact& hit = *(*contacts)[i];
+    const auto neighbour = neighbourAt(hit.contact.feature, i, contacts->size());
     if (!neighbour) continue;
-    auto& other = segments[*neighbour];
+    auto& other = (*contacts)[*neighbour];
     if (other && other->contact.time <= hit.contact.time) continue;
     other = hit;
     other->contact.feature = featureOf(footprint.segment(*neighbour), hit.contact.point);
   }
 }
 
-/// Speed at which the gap shrinks at the contact [m/s].
-double closingSpeed(const Polygon& footprint, const FootprintContact& first, const Motion& motion) {
-  const Contact& contact = first.contact;
-  const Segment segment = footprint.segment(first.segment);
-  // From the segment's start, so that nothing is lost far from the origin.
-  const Segment local{Vec2::Zero(), segment.end - segment.start};
-  const Motion centre{motion.position - segment.start, motion.velocity, motion.acceleration};
-  const Vec2 position = centre.positionAt(contact.time);
-  const Vec2 away = position - closestPoint(local, position);
-  const Vec2 velocity = motion.velocityAt(contact.time);
-  if (away.norm() > contactTolerance(segment, motion, 0, contact.time)) {
-    const bool inside = contact.time == 0 && footprint.contains(motion.position);
-    return std::max(0.0, velocity.dot(away.normalized()) * (inside ? 1 : -1));
-  }
-  // A centre on the boundary itself, as that of a point obstacle, has the segment's normal; a
-  // vertex has many, of which the one against the velocity is the worst.
-  if (contact.feature != Feature::kInside) return velocity.norm();
-  const Vec2 left = leftNormal(local.end).normalized();
-  return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
-}
-
-/// A bound on the gap from below [m]: the footprint lies within a circle about its centroid, and
-/// within the time a path with constant acceleration leaves its chord by at most |a| t^2 / 8.
-double smallestGapBound(const Polygon& footprint, const Motion& m, double radius, double horizon) {
-  const Segment chord{m.position, m.positionAt(horizon)};
-  const double bulge = m.acceleration.norm() * horizon * horizon / 8;
-  return distance(chord, footprint.centroid()) - bulge - footprint.boundingRadius() - radius;
-}
-
-/// Whether no rounding can make a contact of it. Far more than contactTolerance() grows to on the
-/// way.
-bool cannotTouch(const Polygon& footprint, const Motion& m, double radius, double horizon) {
-  constexpr double kRounding = 1e-12;
-  const double path = m.velocity.norm() * horizon + m.acceleration.norm() * horizon * horizon;
-  const double size =
-      (m.position - footprint.centroid()).norm() + path + radius + footprint.boundingRadius();
-  return smallestGapBound(footprint, m, radius, horizon) > kRounding * size;
-}
-
-/// Whether a contact of the candidate replaces the one known of this segment.
-bool comesFirst(const Segment& segment, const Contact& candidate, const Obstacle& obstacle,
-                const Contact& known, const Obstacle& known_obstacle) {
-  if (candidate.time != known.time) return candidate.time < known.time;
-  const auto gap = [&](const Obstacle& o) {
-    return distance(segment, o.motion().position) - o.radius();
-  };
-  return gap(obstacle) < gap(known_obstacle);
-}
-
 /// The first contact of all segments, of those at a vertex the one with the lower index.
 std::optional<FootprintContact> firstOf(
-    const std::vector<std::optional<SegmentContact>>& segments) {
-  std::optional<FootprintContact> first;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (segments[i] && (!first || segments[i]->contact.time < first->contact.time))
-      first = FootprintContact{segments[i]->contact, i, segments[i]->obstacle, 0};
+    const Polygon& footprint, const Twist& twist, const ObstacleBatch& obstacles,
+    const std::vector<std::optional<SegmentContact>>& contacts) {
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!contacts[i]) continue;
+    if (!first || comesFirst(footprint, obstacles, contacts[i]->contact.time, contacts[i]->obstacle,
+                             contacts[*first]->contact.time, contacts[*first]->obstacle))
+      first = i;
+  }
+  if (!first) return std::nullopt;
+  const SegmentContact& hit = *contacts[*first];
+  FootprintContact contact =
+      contactLater(footprint, twist, shapeOf(obstacles, hit.obstacle), hit.contact, *first);
+  contact.obstacle = hit.obstacle;
+  return contact;
+}
+
+/// The first contact of the footprint with a shape that does not overlap it now, no later than
+/// `horizon`.
+struct SegmentOfContact {
+  Contact contact;
+  std::size_t segment;
+};
+
+std::optional<SegmentOfContact> firstTouch(const Polygon& footprint, const Twist& twist,
+                                           const Shape& shape, double horizon) {
+  std::optional<SegmentOfContact> first;
+  for (std::size_t i = 0; i < footprint.size(); ++i) {
+    const double until = first ? first->contact.time : horizon;
+    const auto contact = contactOf(footprint, i, twist, shape, until);
+    if (contact && (!first || contact->time < until)) first = SegmentOfContact{*contact, i};
   }
   return first;
 }
 
-/// An obstacle that touches the solid footprint now, at the nearest point of the boundary.
-FootprintContact contactNow(const Polygon& footprint, const Vec2& centre, std::size_t nearest,
-                            std::size_t obstacle) {
-  const Vec2 point = closestPoint(footprint.segment(nearest), centre);
-  Contact contact{0, featureOf(footprint.segment(nearest), point), point};
-  const auto neighbour = neighbourAt(contact.feature, nearest, footprint.size());
-  const std::size_t segment = std::min(nearest, neighbour.value_or(nearest));
-  contact.feature = featureOf(footprint.segment(segment), point);
-  return {contact, segment, obstacle, 0};
+std::optional<ClosestApproach> closestOf(const Polygon& footprint, const Twist& twist,
+                                         const ObstacleBatch& obstacles, double horizon,
+                                         const Prediction& prediction) {
+  if (prediction.first) return ClosestApproach{0, prediction.first->contact.time};
+  if (!prediction.clearance) return std::nullopt;
+  ClosestApproach closest{*prediction.clearance, 0};
+  const auto ahead = [&] { return horizon; };
+  const auto gap = [&] { return closest.distance; };
+  const SweptFootprint swept(footprint, twist, horizon, obstacles.largestAcceleration());
+  forEachNear(footprint, twist, obstacles, ahead, gap, [&](std::size_t j) {
+    if (mayComeWithin(gap(), swept, obstacles.disc(j), obstacles.bounding_radius[j]))
+      lower(footprint, twist, shapeOf(obstacles, j), horizon, &closest);
+  });
+  return closest;
 }
 
 }  // namespace
 
-Prediction predict(const Polygon& footprint, const Twist& twist,
-                   const std::vector<Obstacle>& obstacles, double horizon) {
-  Prediction prediction;
-  prediction.segments.resize(footprint.size());
-  std::optional<FootprintContact> deepest_now;
-  for (std::size_t j = 0; j < obstacles.size(); ++j) {
-    const Obstacle& obstacle = obstacles[j];
-    const Motion motion = relativeMotion(obstacle.motion(), twist);
-    const bool is_far =
-        prediction.clearance &&
-        smallestGapBound(footprint, motion, obstacle.radius(), 0) > *prediction.clearance;
-    if (is_far && cannotTouch(footprint, motion, obstacle.radius(), horizon)) continue;
-    const Nearest nearest = nearestTo(motion.position, footprint);
-    bool touches_now = nearest.signed_distance <= obstacle.radius();
+std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
+                                             const Obstacle& obstacle, double horizon) {
+  if (!obstacle.outline().empty())
+    return firstContact(footprint, twist, ObstacleBatch({obstacle}), horizon);
+  const Shape shape{obstacle.disc(), {}};
+  const SweptFootprint swept(footprint, twist, horizon, obstacle.motion().acceleration.norm());
+  if (!mayComeWithin(0, swept, shape.disc, shape.disc.radius)) return std::nullopt;
+  const SweptFootprint still(footprint, {}, 0, 0);
+  if (mayComeWithin(0, still, shape.disc, shape.disc.radius)) {
+    const Nearest nearest = nearestNow(footprint, shape);
+    if (nearest.gap <= 0) return contactNow(footprint, twist, shape, nearest);
+  }
+  const auto touch = firstTouch(footprint, twist, shape, horizon);
+  if (!touch) return std::nullopt;
+  return contactLater(footprint, twist, shape, touch->contact, touch->segment);
+}
+
+std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
+                                             const ObstacleBatch& obstacles, double horizon) {
+  const auto now = nearestObstacle(footprint, obstacles, 0);
+  if (now) {
+    const Shape shape = shapeOf(obstacles, now->obstacle);
+    FootprintContact first = contactNow(footprint, twist, shape, now->nearest);
+    first.obstacle = now->obstacle;
+    return first;
+  }
+  std::optional<SegmentOfContact> first;
+  std::size_t obstacle = 0;
+  const auto until = [&] { return first ? first->contact.time : horizon; };
+  const auto gap = [] { return 0.0; };
+  forEachNear(footprint, twist, obstacles, until, gap, [&](std::size_t j) {
+    const auto touch = firstTouch(footprint, twist, shapeOf(obstacles, j), until());
+    if (!touch) return;
+    if (first &&
+        !comesFirst(footprint, obstacles, touch->contact.time, j, first->contact.time, obstacle))
+      return;
+    first = touch;
+    obstacle = j;
+  });
+  if (!first) return std::nullopt;
+  FootprintContact contact =
+      contactLater(footprint, twist, shapeOf(obstacles, obstacle), first->contact, first->segment);
+  contact.obstacle = obstacle;
+  return contact;
+}
+
+void firstContacts(const Polygon& footprint, const Twist& twist, const ObstacleBatch& obstacles,
+                   double horizon, std::vector<std::optional<SegmentContact>>* contacts) {
+  contacts->assign(footprint.size(), std::nullopt);
+  // Nothing later than the last of the first contacts is of interest.
+  const auto until = [&] {
+    double last = 0;
+    for (const auto& known : *contacts)
+      last = std::max(last, known ? known->contact.time : horizon);
+    return last;
+  };
+  const auto gap = [] { return 0.0; };
+  forEachNear(footprint, twist, obstacles, until, gap, [&](std::size_t j) {
+    const Shape shape = shapeOf(obstacles, j);
     for (std::size_t i = 0; i < footprint.size(); ++i) {
-      const Segment segment = footprint.segment(i);
-      const auto contact = timeToCollision(segment, motion, obstacle.radius(), horizon);
-      if (!contact) continue;
-      touches_now = touches_now || contact->time == 0;
-      auto& known = prediction.segments[i];
-      if (!known ||
-          comesFirst(segment, *contact, obstacle, known->contact, obstacles[known->obstacle]))
+      const auto contact = contactOf(footprint, i, twist, shape, horizon);
+      auto& known = (*contacts)[i];
+      if (contact && (!known || comesFirst(footprint.segment(i), obstacles, *contact, j, *known)))
         known = SegmentContact{*contact, j};
     }
-    const double clearance = nearest.signed_distance - obstacle.radius();
-    const bool smallest = !prediction.clearance || clearance < *prediction.clearance;
-    if (touches_now && (!deepest_now || smallest))
-      deepest_now = contactNow(footprint, motion.position, nearest.segment, j);
-    if (smallest) prediction.clearance = clearance;
+  });
+  shareVertexContacts(footprint, contacts);
+}
+
+Prediction predict(const Polygon& footprint, const Twist& twist,
+                   const std::vector<Obstacle>& obstacles, double horizon) {
+  const ObstacleBatch batch(obstacles);
+  Prediction prediction;
+  firstContacts(footprint, twist, batch, horizon, &prediction.segments);
+  const auto nearest = nearestObstacle(footprint, batch, std::numeric_limits<double>::infinity());
+  if (nearest) prediction.clearance = nearest->nearest.gap;
+  if (nearest && nearest->nearest.gap <= 0) {
+    const Shape shape = shapeOf(batch, nearest->obstacle);
+    prediction.first = contactNow(footprint, twist, shape, nearest->nearest);
+    prediction.first->obstacle = nearest->obstacle;
+  } else {
+    prediction.first = firstOf(footprint, twist, batch, prediction.segments);
   }
-  shareVertexContacts(footprint, prediction.segments);
-  prediction.first = deepest_now ? deepest_now : firstOf(prediction.segments);
-  if (prediction.first) {
-    const Obstacle& obstacle = obstacles[prediction.first->obstacle];
-    prediction.first->closing_speed =
-        closingSpeed(footprint, *prediction.first, relativeMotion(obstacle.motion(), twist));
-  }
+  prediction.closest = closestOf(footprint, twist, batch, horizon, prediction);
   return prediction;
 }
 

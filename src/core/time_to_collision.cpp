@@ -1,16 +1,18 @@
 // The three questions (S3): does the circle first touch one end, the other end, or the inside of
 // the segment? The earliest answer is the time to collision.
 //
-// Every answer is checked by one predicate, isTouching(): the distance is at most the radius plus
-// what rounding can amount to. The roots are sought for half of that allowance, so that no rounding
-// on the way can carry a true contact past the predicate, nor make it late where two roots nearly
-// coincide.
+// Every answer is held against one rule: the distance is at most the radius plus what rounding can
+// amount to. The roots are sought for half of that allowance, so that no rounding on the way can
+// carry a true contact past the rule, nor make it late where two roots nearly coincide.
 #include "footprint_collision_predictor/time_to_collision.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "advancement.hpp"
+#include "edge_contact.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
@@ -26,23 +28,79 @@ constexpr int kMaxSteps = 200;
 // Window of the next step, in lengths of the last one.
 constexpr double kWindow = 8;
 
-/// Rounding allowance [m] for a gap to a point, from the motion relative to it.
-double allowance(const Motion& m, double radius, double t) {
-  return kRoundingAllowance * (radius + m.position.lpNorm<1>() +
-                               t * (m.velocity.lpNorm<1>() + 0.5 * t * m.acceleration.lpNorm<1>()));
+// What is left of the gap [m] when a segment that turns counts as touched, beside rounding.
+constexpr double kTurningTolerance = 1e-9;
+
+Disc relativeTo(const Vec2& point, const Disc& disc) {
+  return {{disc.motion.position - point, disc.motion.velocity, disc.motion.acceleration},
+          disc.radius,
+          disc.radius_rate};
 }
 
-Motion relativeTo(const Vec2& point, const Motion& m) {
-  return {m.position - point, m.velocity, m.acceleration};
+/// c + b t + a t^2.
+struct Quadratic {
+  double a;
+  double b;
+  double c;
+
+  double at(double t) const { return c + t * (b + t * a); }
+  /// Smallest value in [0, horizon].
+  double lowest(double horizon) const {
+    if (b < 0 && a > 0 && -b < 2 * a * horizon) return c - b * b / (4 * a);
+    return std::min(c, at(horizon));
+  }
+};
+
+Quadratic operator+(const Quadratic& x, const Quadratic& y) {
+  return {x.a + y.a, x.b + y.b, x.c + y.c};
+}
+Quadratic operator-(const Quadratic& x, const Quadratic& y) {
+  return {x.a - y.a, x.b - y.b, x.c - y.c};
+}
+Quadratic operator-(const Quadratic& x) { return {-x.a, -x.b, -x.c}; }
+
+/// Rounding allowance [m] for a gap to the frame's origin.
+Quadratic allowance(const Disc& d) {
+  return {kRoundingAllowance * 0.5 * d.motion.acceleration.lpNorm<1>(),
+          kRoundingAllowance * (d.motion.velocity.lpNorm<1>() + d.radius_rate),
+          kRoundingAllowance * (d.motion.position.lpNorm<1>() + d.radius)};
 }
 
-Segment fromStart(const Segment& segment) { return {Vec2::Zero(), segment.end - segment.start}; }
+/// A disc in the frame of an edge (S2), which starts at the origin and lies on the x axis.
+struct InEdgeFrame {
+  Quadratic along;
+  Quadratic across;
+  Quadratic allowance;  ///< of the farther end
+};
 
-bool isTouching(const Segment& segment, const Motion& circle, double radius, double t) {
-  // From the start, so that a position far from the origin costs no digits.
-  const Vec2 centre = relativeTo(segment.start, circle).positionAt(t);
-  return distance(fromStart(segment), centre) <=
-         radius + contactTolerance(segment, circle, radius, t);
+/// \param disc relative to the edge's start
+InEdgeFrame inEdgeFrame(const Edge& edge, const Disc& disc) {
+  const Motion& m = disc.motion;
+  Quadratic slack = allowance(disc);
+  slack.c = std::max(slack.c, allowance(relativeTo(edge.end - edge.start, disc)).c);
+  return {{0.5 * edge.tangent.dot(m.acceleration), edge.tangent.dot(m.velocity),
+           edge.tangent.dot(m.position)},
+          {0.5 * cross(edge.tangent, m.acceleration), cross(edge.tangent, m.velocity),
+           cross(edge.tangent, m.position)},
+          slack};
+}
+
+Quadratic radiusOf(const Disc& disc) { return {0, disc.radius_rate, disc.radius}; }
+
+/// Half of the allowance is what roots are sought for.
+Quadratic half(const Quadratic& x) { return {0.5 * x.a, 0.5 * x.b, 0.5 * x.c}; }
+
+/// Distance from the edge, which starts at the origin.
+double distanceFrom(const Edge& edge, const Vec2& p) {
+  const double along = edge.tangent.dot(p);
+  if (along <= 0) return p.norm();
+  if (along >= edge.length) return (p - (edge.end - edge.start)).norm();
+  return std::abs(cross(edge.tangent, p));
+}
+
+/// \param disc relative to the edge's start
+bool isTouching(const Edge& edge, const Disc& disc, const Quadratic& slack, double t) {
+  return distanceFrom(edge, disc.motion.positionAt(t)) <= disc.radiusAt(t) + slack.at(t);
 }
 
 /// With q the position relative to an end, f = |q|^2 - reach^2 is a quartic in time. From a time
@@ -51,38 +109,42 @@ bool isTouching(const Segment& segment, const Motion& circle, double radius, dou
 /// and where it has none, neither has f. f''/2 is itself a convex parabola, so that m is closed
 /// form. Without acceleration the parabola is f, and one step arrives.
 std::optional<double> stepTowards(const Vec2& q, const Vec2& v, const Vec2& a, double reach,
-                                  double time_left) {
+                                  double reach_rate, double time_left) {
   const double a_squared = a.squaredNorm();  // 0 also for an acceleration too small to be squared
   const double lowest_at = a_squared > 0 ? std::clamp(-v.dot(a) / a_squared, 0.0, time_left) : 0;
   const double excess = q.dot(a) + lowest_at * (3 * v.dot(a) + lowest_at * 1.5 * a_squared);
-  const double m = v.squaredNorm() + excess;
-  const double half_slope = q.dot(v);
-  const double f = (q.norm() - reach) * (q.norm() + reach);
+  const double m = v.squaredNorm() - reach_rate * reach_rate + excess;
+  const double half_slope = q.dot(v) - reach * reach_rate;
+  const double distance = q.norm();
+  const double f = (distance - reach) * (distance + reach);
   // Decided before any root is taken: a tiny m would underflow in it, and lead nowhere.
   if (half_slope >= 0 && f + m * time_left * time_left > 0) return std::nullopt;
   // half_slope^2 - f m cancels far from the end, and the same with the cross product cancels near
   // it, where the path bends as the rim does and m is small: each would lead past the contact.
   const double c = cross(q, v);
-  const double discriminant = q.norm() < 2 * reach
+  const double discriminant = distance < 2 * reach
                                   ? half_slope * half_slope - f * m
-                                  : reach * reach * m - c * c - excess * q.squaredNorm();
+                                  : (reach * v - reach_rate * q).squaredNorm() - c * c - excess * f;
   if (m > 0 && discriminant < 0) return std::nullopt;
   const double root = std::sqrt(std::max(discriminant, 0.0));
   return half_slope < 0 ? f / (root - half_slope) : (half_slope + root) / -m;
 }
 
-/// Questions (i) and (ii), S4: first touch of an end, from the motion relative to it. The parabola
+/// Questions (i) and (ii), S4: first touch of an end, from the disc relative to it. The parabola
 /// needs to lie below only as far as it is followed: a window of some steps' length makes it steep
 /// enough where a path nearly comes to rest in a graze, which takes hundreds of steps without.
-std::optional<double> timeToTouchEnd(const Motion& m, double radius, double horizon) {
+std::optional<double> timeToTouchEnd(const Disc& disc, double horizon) {
+  const Motion& m = disc.motion;
+  const Quadratic slack = allowance(disc);
   double t = 0;
   double window = horizon;
   for (int i = 0; i < kMaxSteps; ++i) {
     const Vec2 q = m.positionAt(t);
-    const double slack = allowance(m, radius, t);
-    if (q.norm() <= radius + slack) return t;
+    const double radius = disc.radiusAt(t);
+    if (q.norm() <= radius + slack.at(t)) return t;
     const double left = std::min(window, horizon - t);
-    const auto step = stepTowards(q, m.velocityAt(t), m.acceleration, radius + slack / 2, left);
+    const auto step = stepTowards(q, m.velocityAt(t), m.acceleration, radius + slack.at(t) / 2,
+                                  disc.radius_rate, left);
     const bool lands = step && *step <= left;
     if (!lands && left >= horizon - t) return std::nullopt;
     const double advance = lands ? *step : left;
@@ -94,65 +156,39 @@ std::optional<double> timeToTouchEnd(const Motion& m, double radius, double hori
 
 /// Real roots of c + b t + a t^2, without cancellation (Press et al., "Numerical Recipes", 5.6).
 /// What is not a root (a = 0, or all 0) comes out as infinite or NaN.
-std::array<double, 2> rootsOf(double a, double b, double c) {
-  const double q = -0.5 * (b + std::copysign(std::sqrt(b * b - 4 * a * c), b));
-  return {q / a, c / q};
-}
-
-/// One coordinate of the centre as it moves: c + b t + a t^2.
-struct Coordinate {
-  double a;
-  double b;
-  double c;
-};
-
-/// contactTolerance() / 2 as it grows with time, so that it counts in full also for a path that
-/// leads far away and back.
-Coordinate halfTolerance(const Segment& segment, const Motion& m, double radius) {
-  const double half = kRoundingAllowance / 2;
-  return {half * 0.5 * m.acceleration.lpNorm<1>(), half * m.velocity.lpNorm<1>(),
-          contactTolerance(segment, m, radius, 0) / 2};
+std::array<double, 2> rootsOf(const Quadratic& x) {
+  const double q = -0.5 * (x.b + std::copysign(std::sqrt(x.b * x.b - 4 * x.a * x.c), x.b));
+  return {q / x.a, x.c / q};
 }
 
 /// Question (iii), S5: the circle's centre enters the rectangle of all points within the radius of
 /// the segment's inside. All four sides are asked, also the two across the ends: a centre that
 /// comes from beyond an end touches that end first, but in a graze only by less than rounding, and
 /// then the end may not be seen to be touched.
-std::optional<double> timeToTouchInside(const Segment& segment, const Motion& circle, double radius,
+std::optional<double> timeToTouchInside(const Edge& edge, const Disc& disc, const InEdgeFrame& f,
                                         double horizon) {
-  const Vec2 direction = segment.end - segment.start;
-  const double length = direction.norm();
-  if (length == 0) return std::nullopt;
-  const Vec2 tangent = direction / length;
-  const Vec2 p = circle.position - segment.start;
-  const Coordinate across{0.5 * cross(tangent, circle.acceleration),
-                          cross(tangent, circle.velocity), cross(tangent, p)};
-  const Coordinate along{0.5 * tangent.dot(circle.acceleration), tangent.dot(circle.velocity),
-                         tangent.dot(p)};
-  const Coordinate slack = halfTolerance(segment, circle, radius);
+  if (edge.length == 0) return std::nullopt;
+  // With the slack as it grows with time, so that it counts in full also for a path that leads far
+  // away and back.
+  const Quadratic slack = half(f.allowance);
+  const Quadratic reach = radiusOf(disc) + slack;
+  const Quadratic length{0, 0, edge.length};
   std::optional<double> first;
-  const auto ask = [&](const Coordinate& x, double side, double sign) {
-    for (const double t :
-         rootsOf(x.a - sign * slack.a, x.b - sign * slack.b, x.c - (side + sign * slack.c))) {
+  for (const Quadratic& side :
+       {f.across - reach, f.across + reach, f.along + slack, f.along - length - slack}) {
+    for (const double t : rootsOf(side)) {
       const bool earlier = t >= 0 && t <= first.value_or(horizon);  // false for NaN
-      if (earlier && isTouching(segment, circle, radius, t)) first = t;
+      if (earlier && isTouching(edge, disc, f.allowance, t)) first = t;
     }
-  };
-  ask(across, radius, 1);
-  ask(across, -radius, -1);
-  ask(along, 0, -1);
-  ask(along, length, 1);
+  }
   return first;
 }
 
-Contact contactAt(const Segment& segment, const Motion& circle, double radius, double t) {
-  const Vec2 along =
-      closestPoint(fromStart(segment), relativeTo(segment.start, circle).positionAt(t));
-  const double slack = contactTolerance(segment, circle, radius, t);
-  if (along.norm() <= slack) return {t, Feature::kStart, segment.start};
-  if ((along - (segment.end - segment.start)).norm() <= slack)
-    return {t, Feature::kEnd, segment.end};
-  return {t, Feature::kInside, segment.start + along};
+/// Whether the centre stays on one side of the box around all points within reach of the segment.
+bool staysBeside(const Edge& edge, const InEdgeFrame& f, const Quadratic& reach, double horizon) {
+  const Quadratic beyond = f.along - Quadratic{0, 0, edge.length};
+  return (f.across - reach).lowest(horizon) > 0 || (-f.across - reach).lowest(horizon) > 0 ||
+         (-f.along - reach).lowest(horizon) > 0 || (beyond - reach).lowest(horizon) > 0;
 }
 
 std::optional<double> earliest(const std::optional<double>& a, const std::optional<double>& b) {
@@ -160,25 +196,121 @@ std::optional<double> earliest(const std::optional<double>& a, const std::option
   return a ? a : b;
 }
 
-}  // namespace
-
-double contactTolerance(const Segment& segment, const Motion& circle, double radius, double t) {
-  return std::max(allowance(relativeTo(segment.start, circle), radius, t),
-                  allowance(relativeTo(segment.end, circle), radius, t));
+std::optional<double> timeToTouchAccelerating(const Edge& edge, const Disc& disc, double horizon) {
+  const InEdgeFrame f = inEdgeFrame(edge, disc);
+  if (isTouching(edge, disc, f.allowance, 0)) return 0;
+  if (staysBeside(edge, f, radiusOf(disc) + f.allowance, horizon)) return std::nullopt;
+  const auto time = earliest(timeToTouchEnd(disc, horizon),
+                             timeToTouchEnd(relativeTo(edge.end - edge.start, disc), horizon));
+  return earliest(time, timeToTouchInside(edge, disc, f, horizon));
 }
 
-std::optional<Contact> timeToCollision(const Segment& segment, const Motion& circle, double radius,
-                                       double horizon) {
-  std::optional<double> time;
-  if (isTouching(segment, circle, radius, 0)) {
-    time = 0;
-  } else {
-    time = earliest(timeToTouchEnd(relativeTo(segment.start, circle), radius, horizon),
-                    timeToTouchEnd(relativeTo(segment.end, circle), radius, horizon));
-    time = earliest(time, timeToTouchInside(segment, circle, radius, horizon));
+/// Without acceleration one question is enough. Whatever touches the segment lies in the strip of
+/// all points within reach of its line. The centre enters that once: between the ends it touches
+/// there and then; beyond an end it cannot come between the ends without having touched this one.
+std::optional<double> timeToTouchStraight(const Edge& edge, const Disc& disc, double horizon) {
+  const InEdgeFrame f = inEdgeFrame(edge, disc);
+  const Quadratic slack = half(f.allowance);
+  const Quadratic reach = radiusOf(disc) + slack;
+  const Quadratic gap = (f.across.c < 0 ? -f.across : f.across) - reach;
+  double entry = 0;
+  if (gap.c > 0) {
+    if (gap.at(horizon) > 0) return std::nullopt;
+    entry = std::min(gap.c / -gap.b, horizon);
   }
+  const double along = f.along.at(entry);
+  const double beyond = along - edge.length;
+  if (along >= -slack.at(entry) && beyond <= slack.at(entry)) return entry;
+  const bool at_start = along < 0;
+  const auto end = at_start ? disc : relativeTo(edge.end - edge.start, disc);
+  if (const auto time = timeToTouchEnd(end, horizon)) return time;
+  // In a graze the end may be touched by less than rounding, and the inside by more thereafter.
+  const double to_inside = (at_start ? -f.along.c : edge.length - f.along.c) / f.along.b;
+  const bool comes_in = to_inside >= entry && to_inside <= horizon;  // false for NaN
+  if (comes_in && std::abs(f.across.at(to_inside)) <= reach.at(to_inside)) return to_inside;
+  return std::nullopt;
+}
+
+/// How near counts as touching at a time, for an edge that turns.
+template <typename Path>
+auto toleranceOf(const Path& path, const Edge& edge, const Disc& disc) {
+  return [&path, &disc, length = edge.length](double t) {
+    return kTurningTolerance + kRoundingAllowance * (path.sizeAt(t) + length + disc.radiusAt(t));
+  };
+}
+
+Edge fromStart(const Edge& edge) {
+  Edge local = edge;
+  local.start.setZero();
+  local.end = edge.end - edge.start;
+  return local;
+}
+
+/// \param position of the centre relative to the segment's start
+/// \param slack [m] within which an end is named
+Contact contactAt(const Segment& segment, const Vec2& position, double t, double slack) {
+  const Vec2 along = closestPoint({Vec2::Zero(), segment.end - segment.start}, position);
+  if (along.norm() <= slack) return {t, Feature::kStart, segment.start};
+  if ((along - (segment.end - segment.start)).norm() <= slack)
+    return {t, Feature::kEnd, segment.end};
+  return {t, Feature::kInside, segment.start + along};
+}
+
+}  // namespace
+
+double contactTolerance(const Segment& segment, const Disc& disc, double t) {
+  return std::max(allowance(relativeTo(segment.start, disc)).at(t),
+                  allowance(relativeTo(segment.end, disc)).at(t));
+}
+
+std::optional<Contact> timeToCollision(const Segment& segment, const Disc& disc, double horizon) {
+  return timeToCollision(Edge(segment), disc, horizon);
+}
+
+std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, double horizon) {
+  const Disc local = relativeTo(edge.start, disc);
+  const bool straight = disc.motion.acceleration == Vec2::Zero();
+  const auto time = straight ? timeToTouchStraight(edge, local, horizon)
+                             : timeToTouchAccelerating(edge, local, horizon);
   if (!time) return std::nullopt;
-  return contactAt(segment, circle, radius, *time);
+  return contactAt(edge, local.motion.positionAt(*time), *time,
+                   contactTolerance(edge, disc, *time));
+}
+
+std::optional<Contact> timeToCollision(const Segment& segment, const Twist& twist, const Disc& disc,
+                                       double horizon) {
+  return timeToCollision(Edge(segment), twist, disc, horizon);
+}
+
+std::optional<Contact> timeToCollision(const Edge& edge, const Twist& twist, const Disc& disc,
+                                       double horizon) {
+  if (twist.angular == 0) {
+    const Disc relative{relativeMotion(disc.motion, twist), disc.radius, disc.radius_rate};
+    return timeToCollision(edge, relative, horizon);
+  }
+  const Disc local = relativeTo(edge.start, disc);
+  const PathSeenFromTurningBody path(local.motion, atPoint(edge.start, twist));
+  const auto tolerance = toleranceOf(path, edge, disc);
+  const auto time = advanceToContact(fromStart(edge), path, local, horizon, tolerance);
+  if (!time) return std::nullopt;
+  return contactAt(edge, path.at(*time).position, *time, tolerance(*time));
+}
+
+std::optional<double> timeToTouchPoint(const Vec2& point, const Twist& twist, const Edge& edge,
+                                       const Disc& carrier, double horizon) {
+  const Twist of_point = atPoint(point, twist);
+  const Motion seen_from{carrier.motion.position + edge.start - point, carrier.motion.velocity,
+                         carrier.motion.acceleration};
+  Disc disc{{-seen_from.position, of_point.linear - seen_from.velocity, -seen_from.acceleration},
+            carrier.radius,
+            carrier.radius_rate};
+  const Edge local = fromStart(edge);
+  if (twist.angular == 0) {
+    const auto contact = timeToCollision(local, disc, horizon);
+    return contact ? std::make_optional(contact->time) : std::nullopt;
+  }
+  const PathOfTurningPoint path(seen_from, of_point);
+  return advanceToContact(local, path, disc, horizon, toleranceOf(path, edge, disc));
 }
 
 }  // namespace footprint_collision_predictor::core

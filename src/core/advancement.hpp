@@ -1,0 +1,112 @@
+// Conservative advancement (Mirtich, 1996) of a second order: from a moment when a disc is apart
+// from a convex body, the normal at the nearest point is frozen. The gap along it is a lower bound
+// of the gap, and so is a parabola below that; up to the first root of this parabola there is no
+// contact. The steps come from the left, cannot overshoot, and near a contact converge
+// quadratically.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "footprint_collision_predictor/geometry.hpp"
+#include "path.hpp"
+
+namespace footprint_collision_predictor::core {
+
+/// First root in (0, window] of gap + slope s + curvature s^2 / 2, with gap > 0; the window when
+/// there is none.
+inline double firstRoot(double gap, double slope, double curvature, double window) {
+  const double discriminant = slope * slope - 2 * curvature * gap;
+  if (discriminant < 0 || (slope >= 0 && curvature >= 0)) return window;
+  const double root = std::sqrt(discriminant);
+  const double step = slope < 0 ? 2 * gap / (root - slope) : (slope + root) / -curvature;
+  return std::min(step, window);
+}
+
+/// How a point lies to an edge that starts at the origin.
+struct Away {
+  Vec2 vector;  ///< from the nearest point of the edge
+  bool is_beyond_end;
+};
+
+inline Away awayFrom(const Edge& edge, const Vec2& p) {
+  const double along = edge.tangent.dot(p);
+  if (along <= 0) return {p, true};
+  if (along >= edge.length) return {p - edge.end, true};
+  return {cross(edge.tangent, p) * leftNormal(edge.tangent), false};
+}
+
+/// The gap between a growing disc and an edge at one moment, and how it may shrink from there.
+template <typename Path>
+class Gap {
+ public:
+  /// \param edge starts at the origin
+  Gap(const Edge& edge, const Path& path, const Disc& disc, double t)
+      : path_(path), state_(path.at(t)), away_(awayFrom(edge, state_.position)) {
+    distance_ = away_.vector.norm();
+    // On the edge itself any direction will do: there the gap is no more than rounding.
+    normal_ = distance_ > 0 ? Vec2(away_.vector / distance_) : Vec2(1, 0);
+    size_ = distance_ - disc.radiusAt(t);
+    slope_ = normal_.dot(state_.velocity) - disc.radius_rate;
+  }
+
+  /// [m]
+  double size() const { return size_; }
+  /// [m/s] at which it grows
+  double slope() const { return slope_; }
+  /// [m/s^2] at which the slope grows
+  double curvature() const {
+    const double bend = normal_.dot(state_.acceleration);
+    if (!away_.is_beyond_end || distance_ == 0) return bend;
+    const double past = cross(normal_, state_.velocity);
+    return bend + past * past / distance_;
+  }
+  /// [s] for how long, at most `window`, the gap certainly stays above `level` [m] < size().
+  double staysAbove(double level, double window) const {
+    const double curvature = path_.lowestAcceleration(state_, normal_, window);
+    return firstRoot(size_ - level, slope_, curvature, window);
+  }
+
+ private:
+  const Path& path_;
+  PathState state_;
+  Away away_;
+  double distance_;
+  Vec2 normal_;
+  double size_;
+  double slope_;
+};
+
+/// Where to go next from t: the longer of the steps that follow from all the time left and from a
+/// window of a few lengths of the last step, in which the path can be bent less.
+template <typename Path>
+double nextStep(const Gap<Path>& gap, double level, double time_left, double last_step) {
+  constexpr double kWindow = 8;
+  const double step = gap.staysAbove(level, time_left);
+  const double window = kWindow * last_step;
+  return window < time_left ? std::max(step, gap.staysAbove(level, window)) : step;
+}
+
+/// First t in [0, horizon] at which the gap is at most the tolerance; it is aimed at half of that,
+/// so that it is never later than the contact. \param edge starts at the origin \param tolerance
+/// [m] > 0, as a function of time
+template <typename Path, typename Tolerance>
+std::optional<double> advanceToContact(const Edge& edge, const Path& path, const Disc& disc,
+                                       double horizon, const Tolerance& tolerance) {
+  constexpr std::size_t kMaxSteps = 100000;
+  double t = 0, step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < kMaxSteps; ++i) {
+    const Gap<Path> gap(edge, path, disc, t);
+    const double enough = tolerance(t);
+    if (gap.size() <= enough) return t;
+    step = nextStep(gap, enough / 2, horizon - t, step);
+    if (step >= horizon - t) return std::nullopt;
+    t += step;
+  }
+  return t;
+}
+
+}  // namespace footprint_collision_predictor::core

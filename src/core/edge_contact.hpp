@@ -1,0 +1,23 @@
+// What timeToCollision() does for a segment, for edges that are known already, and with the roles
+// swapped.
+#pragma once
+
+#include <optional>
+
+#include "footprint_collision_predictor/time_to_collision.hpp"
+
+namespace footprint_collision_predictor::core {
+
+/// timeToCollision() of time_to_collision.hpp, for an edge that stands still.
+std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, double horizon);
+/// The same for an edge of a body that moves.
+std::optional<Contact> timeToCollision(const Edge& edge, const Twist& twist, const Disc& disc,
+                                       double horizon);
+
+/// Earliest t in [0, horizon] at which an edge of an obstacle's outline, rounded by the disc's
+/// radius, touches a point of the footprint. \param point [m] in the footprint's frame \param twist
+/// of the footprint \param edge of the outline, relative to the disc's centre
+std::optional<double> timeToTouchPoint(const Vec2& point, const Twist& twist, const Edge& edge,
+                                       const Disc& disc, double horizon);
+
+}  // namespace footprint_collision_predictor::core

@@ -1,0 +1,126 @@
+// How one point moves as seen from another body, for what follows a path step by step. Each kind of
+// path can tell where the point is and bound how hard it may be bent towards something.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "footprint_collision_predictor/motion.hpp"
+
+namespace footprint_collision_predictor::core {
+
+/// The state of a moving point at one moment.
+struct PathState {
+  Vec2 position;      ///< [m]
+  Vec2 velocity;      ///< [m/s]
+  Vec2 acceleration;  ///< [m/s^2]
+};
+
+/// v turned by the angle with this cosine and sine.
+inline Vec2 turned(const Vec2& v, double cosine, double sine) {
+  return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+}
+
+/// Constant acceleration, held for ever: as seen from a body that does not turn.
+class StraightPath {
+ public:
+  explicit StraightPath(const Motion& motion) : motion_(motion) {}
+
+  PathState at(double t) const {
+    return {motion_.positionAt(t), motion_.velocityAt(t), motion_.acceleration};
+  }
+  /// [m] all that is added up until t, for the allowance for rounding.
+  double sizeAt(double t) const {
+    return motion_.position.lpNorm<1>() +
+           t * (motion_.velocity.lpNorm<1>() + 0.5 * t * motion_.acceleration.lpNorm<1>());
+  }
+  /// Largest a [m/s^2] of which is certain that for s in [0, window] the point gets at least as far
+  /// along the direction as direction.(position + s velocity) + a s^2 / 2.
+  double lowestAcceleration(const PathState&, const Vec2& direction, double /*window*/) const {
+    return direction.dot(motion_.acceleration);
+  }
+
+ private:
+  Motion motion_;
+};
+
+/// A point that moves over ground with constant acceleration, as seen from a body that turns: with
+/// p(t) the point and s(t) the body over ground, q(t) = R(-w t) (p(t) - s(t)).
+class PathSeenFromTurningBody {
+ public:
+  /// \param motion over ground, in the body's frame at t = 0
+  /// \param body twist of the body's origin
+  PathSeenFromTurningBody(const Motion& motion, const Twist& body) : motion_(motion), body_(body) {}
+
+  PathState at(double t) const {
+    const double w = body_.angular;
+    const double cosine = std::cos(w * t), sine = std::sin(w * t);
+    const auto in_body = [&](const Vec2& v) { return turned(v, cosine, -sine); };
+    PathState state;
+    state.position = in_body(motion_.positionAt(t) - displacement(body_, t));
+    const Vec2 velocity = in_body(motion_.velocityAt(t));  // over ground
+    state.velocity = velocity - body_.linear - w * leftNormal(state.position);
+    state.acceleration = in_body(motion_.acceleration) - w * leftNormal(velocity + state.velocity);
+    return state;
+  }
+  double sizeAt(double t) const {
+    const double path = motion_.position.lpNorm<1>() +
+                        t * (motion_.velocity.lpNorm<1>() + body_.linear.lpNorm<1>() +
+                             0.5 * t * motion_.acceleration.lpNorm<1>());
+    return path * (1 + std::abs(body_.angular) * t);  // the angle itself is rounded
+  }
+  /// From the state's own acceleration and a bound on how fast it changes, or from a bound on the
+  /// acceleration itself, whichever says more.
+  double lowestAcceleration(const PathState& state, const Vec2& direction, double window) const {
+    const double w = std::abs(body_.angular);
+    const double a = motion_.acceleration.norm();
+    // Largest values within the window.
+    const double travel = body_.linear.norm();
+    const double now = (state.velocity + body_.linear + body_.angular * leftNormal(state.position))
+                           .norm();  // speed over ground
+    const double speed = now + a * window;
+    const double distance = state.position.norm() + window * (now + travel + 0.5 * a * window);
+    const double acceleration = a + w * (2 * speed + travel + w * distance);
+    const double jerk = w * (3 * a + w * (3 * speed + travel + w * distance));
+    return std::max(-acceleration, direction.dot(state.acceleration) - jerk * window / 3);
+  }
+
+ private:
+  Motion motion_;
+  Twist body_;
+};
+
+/// A point fixed on a body that turns, as seen from something that moves over ground with constant
+/// acceleration and does not turn.
+class PathOfTurningPoint {
+ public:
+  /// \param seen_from motion over ground relative to where the point is at t = 0
+  /// \param point twist of the body at the point
+  PathOfTurningPoint(const Motion& seen_from, const Twist& point)
+      : seen_from_(seen_from), point_(point) {}
+
+  PathState at(double t) const {
+    const double w = point_.angular;
+    const Vec2 velocity = turned(point_.linear, std::cos(w * t), std::sin(w * t));
+    return {displacement(point_, t) - seen_from_.positionAt(t), velocity - seen_from_.velocityAt(t),
+            w * leftNormal(velocity) - seen_from_.acceleration};
+  }
+  double sizeAt(double t) const {
+    return seen_from_.position.lpNorm<1>() +
+           t * (seen_from_.velocity.lpNorm<1>() +
+                point_.linear.lpNorm<1>() * (1 + std::abs(point_.angular) * t) +
+                0.5 * t * seen_from_.acceleration.lpNorm<1>());
+  }
+  double lowestAcceleration(const PathState& state, const Vec2& direction, double window) const {
+    const double w = std::abs(point_.angular);
+    const double bend = w * point_.linear.norm();
+    return std::max(-direction.dot(seen_from_.acceleration) - bend,
+                    direction.dot(state.acceleration) - w * bend * window / 3);
+  }
+
+ private:
+  Motion seen_from_;
+  Twist point_;
+};
+
+}  // namespace footprint_collision_predictor::core

@@ -1,0 +1,140 @@
+#include "shape.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "path.hpp"
+
+namespace footprint_collision_predictor::core {
+namespace {
+
+Edge shifted(const Edge& edge, const Vec2& by) {
+  Edge moved = edge;
+  moved.start += by;
+  moved.end += by;
+  return moved;
+}
+
+/// Where two edges cross, each between its ends.
+std::optional<Vec2> crossing(const Edge& a, const Edge& b) {
+  const Vec2 along = a.end - a.start;
+  const double start = cross(along, b.start - a.start), end = cross(along, b.end - a.start);
+  const Vec2 other = b.end - b.start;
+  const double left = cross(other, a.start - b.start), right = cross(other, a.end - b.start);
+  const bool crosses =
+      (start > 0) != (end > 0) && (left > 0) != (right > 0) && start != end && left != right;
+  if (!crosses) return std::nullopt;
+  return Vec2(a.start + left / (left - right) * along);
+}
+
+/// The point of `edge` that is nearest to another edge which does not cross it.
+Vec2 nearestPoint(const Edge& edge, const Edge& other) {
+  Vec2 nearest = edge.start;
+  double smallest = distance(other, edge.start);
+  const auto take = [&](const Vec2& p, double d) {
+    if (d < smallest) {
+      nearest = p;
+      smallest = d;
+    }
+  };
+  take(edge.end, distance(other, edge.end));
+  for (const Vec2& p : {other.start, other.end}) take(closestPoint(edge, p), distance(edge, p));
+  return nearest;
+}
+
+/// Counts the edges to the right of p (Haines, "Point in Polygon Strategies", 1994).
+bool contains(const Outline& outline, const Vec2& p) {
+  bool inside = false;
+  for (const Edge& edge : outline) {
+    if ((edge.start.y() > p.y()) == (edge.end.y() > p.y())) continue;
+    const bool upwards = edge.end.y() > edge.start.y();
+    const bool left_of_edge = cross(edge.end - edge.start, p - edge.start) > 0;
+    if (left_of_edge == upwards) inside = !inside;
+  }
+  return inside;
+}
+
+bool areNested(const Polygon& footprint, const Shape& shape) {
+  const Vec2& centre = shape.disc.motion.position;
+  if (shape.outline.size == 0) return footprint.contains(centre);
+  return footprint.contains(centre + shape.outline.first->start) ||
+         (shape.outline.isClosed() &&
+          contains(shape.outline, footprint.vertices().front() - centre));
+}
+
+/// The point of the edge that is nearest to the obstacle's centre or outline, and how far off it
+/// is.
+struct Near {
+  Vec2 point;
+  double distance;
+};
+
+Near nearTo(const Edge& edge, const Shape& shape) {
+  const Vec2& centre = shape.disc.motion.position;
+  if (shape.outline.size == 0) return {closestPoint(edge, centre), distance(edge, centre)};
+  // From the obstacle, so that nothing is lost far from the origin.
+  const Edge local = shifted(edge, -centre);
+  std::optional<Near> nearest;
+  for (const Edge& other : shape.outline) {
+    if (const auto point = crossing(local, other)) return {*point + centre, 0};
+    const Vec2 point = nearestPoint(local, other);
+    const double d = distance(other, point);
+    if (!nearest || d < nearest->distance) nearest = Near{point + centre, d};
+  }
+  return *nearest;
+}
+
+}  // namespace
+
+Nearest nearestNow(const Polygon& footprint, const Shape& shape) {
+  std::size_t segment = 0;
+  Near nearest = nearTo(footprint.segment(0), shape);
+  for (std::size_t i = 1; i < footprint.size(); ++i) {
+    const Near near = nearTo(footprint.segment(i), shape);
+    if (near.distance < nearest.distance) {
+      nearest = near;
+      segment = i;
+    }
+  }
+  const double sign = nearest.distance > 0 && areNested(footprint, shape) ? -1 : 1;
+  return {segment, nearest.point, sign * nearest.distance - shape.disc.radius};
+}
+
+double gapNow(const Edge& edge, const Shape& shape) {
+  return nearTo(edge, shape).distance - shape.disc.radius;
+}
+
+std::optional<Vec2> crossingNow(const Edge& edge, const Shape& shape) {
+  const Vec2& centre = shape.disc.motion.position;
+  for (const Edge& other : shape.outline)
+    if (const auto point = crossing(shifted(edge, -centre), other)) return Vec2(*point + centre);
+  return std::nullopt;
+}
+
+Vec2 nearestOf(const Shape& shape, const Twist& footprint, double dt, const Vec2& p,
+               std::optional<Vec2>* edge_direction) {
+  const double angle = footprint.angular * dt;
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  const Vec2 moved = shape.disc.motion.positionAt(dt) - displacement(footprint, dt);
+  const Vec2 centre = turned(moved, cosine, -sine);
+  if (shape.outline.size == 0) return centre;
+  // In the axes of the outline, about its centre.
+  const Vec2 local = turned(p - centre, cosine, sine);
+  Vec2 nearest = shape.outline.first->start;
+  for (const Edge& edge : shape.outline) {
+    const Vec2 point = closestPoint(edge, local);
+    if ((point - local).norm() > (nearest - local).norm()) continue;
+    nearest = point;
+    *edge_direction = featureOf(edge, point) == Feature::kInside
+                          ? std::make_optional(turned(edge.tangent, cosine, -sine))
+                          : std::nullopt;
+  }
+  return centre + turned(nearest, cosine, -sine);
+}
+
+Feature featureOf(const Segment& segment, const Vec2& point) {
+  if (point == segment.start) return Feature::kStart;
+  return point == segment.end ? Feature::kEnd : Feature::kInside;
+}
+
+}  // namespace footprint_collision_predictor::core
