@@ -4,6 +4,8 @@
 #include "closest_approach.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "advancement.hpp"
@@ -15,37 +17,70 @@ namespace {
 constexpr double kResolution = 2e-7;
 constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
 
-/// \param edge starts at the origin
+/// One edge that starts at the origin, and a disc that moves beside it.
 template <typename Path>
-void lower(const Edge& edge, const Path& path, const Disc& disc, double horizon,
-           ClosestApproach* closest) {
-  const auto take = [&](double gap, double t) {
-    if (gap < closest->distance) *closest = {std::max(gap, 0.0), t};
-  };
-  const double resolution =
-      kResolution + kRounding * (path.sizeAt(horizon) + edge.length + disc.radiusAt(horizon));
-  double t = 0, step = std::numeric_limits<double>::infinity();
-  constexpr std::size_t kMaxSteps = 100000;
-  for (std::size_t i = 0; i < kMaxSteps; ++i) {
-    const Gap<Path> gap(edge, path, disc, t);
-    take(gap.size(), t);
-    const double left = horizon - t;
-    if (gap.slope() < 0) {
-      const double lowest =
-          gap.curvature() > 0 ? std::min(-gap.slope() / gap.curvature(), left) : left;
-      take(Gap<Path>(edge, path, disc, t + lowest).size(), t + lowest);
+class Search {
+ public:
+  Search(const Edge& edge, const Path& path, const Disc& disc, double horizon)
+      : edge_(edge), path_(path), disc_(disc), horizon_(horizon) {}
+
+  void lower(ClosestApproach* closest) const {
+    const double size = path_.sizeAt(horizon_) + edge_.length + disc_.radiusAt(horizon_);
+    const double resolution = kResolution + kRounding * size;
+    constexpr std::size_t kMaxSteps = 100000;
+    double t = 0, step = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < kMaxSteps; ++i) {
+      const Gap<Path> gap = gapAt(t);
+      if (gap.size() < closest->distance) {
+        *closest = {gap.size(), t};
+        if (gap.slope() < 0) descend(t, closest);
+        closest->distance = std::max(closest->distance, 0.0);
+      }
+      step = nextStep(gap, closest->distance - resolution, horizon_ - t, step);
+      if (step >= horizon_ - t) return;
+      t += step;
     }
-    step = nextStep(gap, std::min(closest->distance, gap.size()) - resolution, left, step);
-    if (step >= left) return;
-    t += step;
   }
-}
+
+ private:
+  Gap<Path> gapAt(double t) const { return {edge_, path_, disc_, t}; }
+
+  /// Follows a gap that shrinks down to where it stops, or to the horizon: Newton's method on its
+  /// slope, kept within a bracket. Where the gap has several minima, any of them will do.
+  void descend(double t, ClosestApproach* closest) const {
+    constexpr int kMaxSteps = 60;
+    double shrinks = t, grows = horizon_, next = horizon_;
+    for (int i = 0; i < kMaxSteps; ++i) {
+      const Gap<Path> gap = gapAt(next);
+      const bool falls = gap.slope() < 0 && gap.size() <= closest->distance;
+      if (gap.size() < closest->distance) *closest = {gap.size(), next};
+      if (falls && next == horizon_) return;
+      (falls ? shrinks : grows) = next;
+      if (i > 0 && std::abs(gap.slope()) * (grows - shrinks) < kResolution / 8) return;
+      next -= gap.slope() / gap.curvature();
+      const bool usable = next > shrinks && next < grows;  // false for NaN
+      if (!usable) next = 0.5 * (shrinks + grows);
+    }
+  }
+
+  const Edge& edge_;
+  const Path& path_;
+  const Disc& disc_;
+  double horizon_;
+};
 
 Edge fromStart(const Edge& edge) {
   Edge local = edge;
   local.start.setZero();
   local.end = edge.end - edge.start;
   return local;
+}
+
+template <typename Path>
+void search(const Edge& edge, const Path& path, const Disc& disc, double horizon,
+            ClosestApproach* closest) {
+  const Edge local = fromStart(edge);
+  Search<Path>(local, path, disc, horizon).lower(closest);
 }
 
 /// A disc beside an edge of the footprint.
@@ -55,9 +90,9 @@ void lowerByDisc(const Edge& edge, const Twist& twist, const Disc& disc, double 
   const Motion local{m.position - edge.start, m.velocity, m.acceleration};
   const Twist at_start = atPoint(edge.start, twist);
   if (twist.angular == 0)
-    lower(fromStart(edge), StraightPath(relativeMotion(local, at_start)), disc, horizon, closest);
+    search(edge, StraightPath(relativeMotion(local, at_start)), disc, horizon, closest);
   else
-    lower(fromStart(edge), PathSeenFromTurningBody(local, at_start), disc, horizon, closest);
+    search(edge, PathSeenFromTurningBody(local, at_start), disc, horizon, closest);
 }
 
 /// A vertex of the footprint beside an edge of the outline.
@@ -66,7 +101,7 @@ void lowerByVertex(const Vec2& vertex, const Twist& twist, const Edge& edge, con
   const Motion& m = disc.motion;
   const Motion seen_from{m.position + edge.start - vertex, m.velocity, m.acceleration};
   const PathOfTurningPoint path(seen_from, atPoint(vertex, twist));
-  lower(fromStart(edge), path, disc, horizon, closest);
+  search(edge, path, disc, horizon, closest);
 }
 
 }  // namespace

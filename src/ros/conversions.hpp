@@ -21,11 +21,11 @@ struct ObstacleKey {
   std::int32_t index;
 };
 
-/// The circles of a message, in the footprint's body frame.
-struct Circles {
-  std::vector<core::Obstacle> obstacles;
-  std::vector<ObstacleKey> keys;  ///< one for each obstacle
-  Findings findings;              ///< about those that are missing here, and about their ids
+/// The usable obstacles of a message.
+struct SceneObstacles {
+  std::vector<core::Obstacle> in_body;  ///< in the footprint's body frame
+  std::vector<ObstacleKey> keys;        ///< one for each of them
+  Findings findings;                    ///< about those that are missing here, and about their ids
 };
 
 /// \param body pose of the body frame in the message's frame
@@ -33,8 +33,8 @@ struct Circles {
 /// the
 ///     body's origin and along its axes; it is added to the obstacles' velocities. Zero for
 ///     velocities that are over ground already.
-Circles toCore(const ObstacleArray& message, const PlanarPose& body,
-               const core::Twist& header_motion);
+SceneObstacles toCore(const ObstacleArray& message, const PlanarPose& body,
+                      const core::Twist& header_motion);
 
 /// Vertices in the body frame.
 /// \param body pose of the body frame in the polygon's frame

@@ -24,34 +24,32 @@ void requireFinite(const char* field, double value) {
   throw core::InvalidObstacle(text.str());
 }
 
-void requireUsable(const Obstacle& o) {
-  core::Obstacle(motionOf(o), o.radius);  // the core's own rules, in the message's own frame
+std::vector<core::Vec2> outlineOf(const Obstacle& o) {
+  std::vector<core::Vec2> outline;
+  outline.reserve(o.outline.size());
+  for (const auto& vertex : o.outline) outline.emplace_back(vertex.x, vertex.y);
+  return outline;
+}
+
+/// The obstacle in the message's own frame, by whose numbers the sender knows it.
+core::Obstacle asSent(const Obstacle& o) {
   requireFinite("position.z", o.position.z);
   requireFinite("velocity.z", o.velocity.z);
   requireFinite("acceleration.z", o.acceleration.z);
-  if (o.outline.size() == 1)
-    throw core::InvalidObstacle(
-        "outline has 1 vertex; allowed are none for a circle, 2 for a line, "
-        "or more");
-  for (const auto& vertex : o.outline) {
-    core::Obstacle({{vertex.x, vertex.y}, {0, 0}, {0, 0}}, 0);
-    requireFinite("outline z", vertex.z);
-  }
-  if (!(o.radius_rate >= 0 && o.radius_rate <= core::kMaxRate)) {
-    std::ostringstream text;
-    text << "radius_rate is " << o.radius_rate << "; allowed is a finite number from 0 to "
-         << core::kMaxRate;
-    throw core::InvalidObstacle(text.str());
-  }
+  for (const auto& vertex : o.outline) requireFinite("outline z", vertex.z);
+  return {motionOf(o), o.radius, o.radius_rate, outlineOf(o)};
 }
 
-core::Obstacle inBody(const Obstacle& o, const PlanarPose& body, const core::Twist& header_motion) {
-  core::Motion motion = motionOf(o);
+core::Obstacle inBody(const core::Obstacle& sent, const PlanarPose& body,
+                      const core::Twist& header_motion) {
+  core::Motion motion = sent.motion();
   motion.position = body.pointToLocal(motion.position);
   motion.velocity = body.vectorToLocal(motion.velocity) + header_motion.linear +
                     header_motion.angular * core::leftNormal(motion.position);
   motion.acceleration = body.vectorToLocal(motion.acceleration);
-  return {motion, o.radius};
+  std::vector<core::Vec2> outline = sent.outline();
+  for (core::Vec2& vertex : outline) vertex = body.vectorToLocal(vertex);
+  return {motion, sent.radius(), sent.disc().radius_rate, std::move(outline)};
 }
 
 /// Names the first few of a kind and counts the rest.
@@ -76,40 +74,27 @@ class Listing {
 
 }  // namespace
 
-Circles toCore(const ObstacleArray& message, const PlanarPose& body,
-               const core::Twist& header_motion) {
-  Circles circles;
-  Listing invalid, growing, duplicate;
-  std::size_t outlines = 0;
+SceneObstacles toCore(const ObstacleArray& message, const PlanarPose& body,
+                      const core::Twist& header_motion) {
+  SceneObstacles usable;
+  Listing invalid, duplicate;
   std::set<std::int64_t> ids;
+  usable.in_body.reserve(message.obstacles.size());
+  usable.keys.reserve(message.obstacles.size());
   for (std::size_t i = 0; i < message.obstacles.size(); ++i) {
     const Obstacle& o = message.obstacles[i];
     if (o.id != -1 && !ids.insert(o.id).second) duplicate.add(o.id, i, "");
     try {
-      requireUsable(o);
-      if (!o.outline.empty()) {
-        ++outlines;
-      } else if (o.radius_rate > 0) {
-        growing.add(o.id, i, " has a radius_rate");
-      } else {
-        circles.obstacles.push_back(inBody(o, body, header_motion));
-        circles.keys.push_back({o.id, static_cast<std::int32_t>(i)});
-      }
+      usable.in_body.push_back(inBody(asSent(o), body, header_motion));
+      usable.keys.push_back({o.id, static_cast<std::int32_t>(i)});
     } catch (const core::InvalidObstacle& error) {
       invalid.add(o.id, i, ": " + std::string(error.what()));
     }
   }
-  invalid.report(CollisionWarning::REASON_OBSTACLES_INVALID, "; mend the source", circles.findings);
-  growing.report(CollisionWarning::REASON_NOT_SUPPORTED,
-                 ", which this version cannot predict; send radius_rate 0", circles.findings);
+  invalid.report(CollisionWarning::REASON_OBSTACLES_INVALID, "; mend the source", usable.findings);
   duplicate.report(CollisionWarning::REASON_DUPLICATE_ID,
-                   " shares its id with another; both are predicted", circles.findings);
-  if (outlines > 0)
-    circles.findings.add(CollisionWarning::REASON_NOT_PREDICTED,
-                         std::to_string(outlines) +
-                             " lines or polygons are not predicted by this version: the level "
-                             "speaks of the circles only");
-  return circles;
+                   " shares its id with another; both are predicted", usable.findings);
+  return usable;
 }
 
 }  // namespace footprint_collision_predictor

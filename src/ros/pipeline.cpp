@@ -127,7 +127,7 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   if (!usable) return publish_({warning(nullptr, stamp, findings, now, counts), {}, now});
   findings.add(scene_->findings);
   const Evaluated evaluated{*scene_, core::predict(scene_->footprint, scene_->twist,
-                                                   scene_->circles.obstacles, scene_->horizon)};
+                                                   scene_->obstacles.in_body, scene_->horizon)};
   const CollisionPrediction prediction = predictionMsg(evaluated, findings, parameters_);
   publish_({warning(&evaluated, stamp, findings, now, counts), prediction, now});
 }

@@ -7,10 +7,6 @@
 namespace footprint_collision_predictor {
 namespace {
 
-// A yaw rate that moves no point of the footprint by more than this [m] within the horizon is
-// straight motion.
-constexpr double kNegligibleTurn = 1e-3;
-
 // How far [m, and per metre] a frame on the body may seem to move against it.
 constexpr double kRigidTolerance = 1e-3;
 
@@ -48,17 +44,7 @@ void setMotion(const OdometryHistory& odometry, const tf2::BufferCore& tf, const
   if (!scene.odometry) return;
   const PlanarPose from = lookUpPose(tf, p.base_frame, scene.odometry->frame, scene.stamp);
   scene.twist = carriedOver(scene.odometry->twist, from);
-  // Repeats look ahead from as much later as the data may be old.
-  const double effect =
-      core::turningEffect(scene.footprint, scene.twist, p.horizon + p.max_data_age);
-  if (effect <= kNegligibleTurn) {
-    scene.horizon = p.horizon;
-    return;
-  }
-  std::ostringstream text;
-  text << "the robot turns at " << scene.twist.angular
-       << " rad/s, which this version cannot predict (" << effect << " m within the horizon)";
-  scene.findings.add(CollisionWarning::REASON_NOT_SUPPORTED, text.str());
+  scene.horizon = p.horizon;
 } catch (const TransformError& error) {
   scene.findings.add(CollisionWarning::REASON_TRANSFORM, error.what());
 }
@@ -91,15 +77,15 @@ Scene makeScene(const ObstacleArray& message, const ros::SteadyTime& arrived,
   const auto count = static_cast<std::uint32_t>(message.obstacles.size());
   Scene scene{stamp, arrived, footprint, {}, parameters.horizon, {}, {}, count, {}};
   setMotion(odometry, tf, parameters, scene);
-  scene.circles = toCore(message, body, headerMotion(message, body, scene, tf, parameters));
-  scene.findings.add(scene.circles.findings);
+  scene.obstacles = toCore(message, body, headerMotion(message, body, scene, tf, parameters));
+  scene.findings.add(scene.obstacles.findings);
   return scene;
 }
 
 std::vector<core::Obstacle> carriedOn(const Scene& scene, double dt) {
   std::vector<core::Obstacle> obstacles;
-  obstacles.reserve(scene.circles.obstacles.size());
-  for (const core::Obstacle& obstacle : scene.circles.obstacles)
+  obstacles.reserve(scene.obstacles.in_body.size());
+  for (const core::Obstacle& obstacle : scene.obstacles.in_body)
     obstacles.push_back(obstacle.after(dt, scene.twist));
   return obstacles;
 }

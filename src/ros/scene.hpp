@@ -19,11 +19,11 @@ struct Scene {
   ros::SteadyTime arrived;
   core::Polygon footprint;
   core::Twist twist;
-  /// How far ahead the motions hold [s]: 0 when the footprint's motion is not known or not
-  /// supported, since only what touches now is certain then.
+  /// How far ahead the motions hold [s]: 0 when the footprint's motion is not known, since only
+  /// what touches now is certain then.
   double horizon;
   std::optional<OdometrySample> odometry;  ///< that the twist was taken from
-  Circles circles;
+  SceneObstacles obstacles;
   std::uint32_t obstacle_count;
   Findings findings;
 };
@@ -34,7 +34,7 @@ Scene makeScene(const ObstacleArray& message, const ros::SteadyTime& arrived,
                 const core::Polygon& footprint, const OdometryHistory& odometry,
                 const tf2::BufferCore& tf, const Parameters& parameters);
 
-/// The obstacles as they are `dt` [s] after the scene's stamp, still relative to the footprint.
+/// The obstacles as they are `dt` [s] after the scene's stamp, in the footprint's frame of then.
 std::vector<core::Obstacle> carriedOn(const Scene& scene, double dt);
 
 }  // namespace footprint_collision_predictor

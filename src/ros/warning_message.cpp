@@ -17,16 +17,26 @@ void fillContact(const core::FootprintContact& first, const Evaluated& evaluated
   msg.collision_predicted = 1;
   msg.time_to_collision = first.contact.time;
   msg.segment = static_cast<std::int32_t>(first.segment);
-  msg.obstacle_id = evaluated.scene.circles.keys[first.obstacle].id;
+  msg.obstacle_id = evaluated.scene.obstacles.keys[first.obstacle].id;
   msg.contact_point = toMsg(first.contact.point);
   msg.closing_speed = first.closing_speed;
+  msg.closest_distance = 0;
+  msg.closest_time = first.contact.time;
+}
+
+/// Without obstacles there is no gap that could be small, and no time of it.
+void fillGaps(const core::Prediction& prediction, CollisionWarning& msg) {
+  msg.clearance = prediction.clearance.value_or(kInfinity);
+  msg.closest_distance = prediction.closest ? prediction.closest->distance : kInfinity;
+  msg.closest_time = prediction.closest ? prediction.closest->time : kNaN;
 }
 
 /// Makes a finished warning UNKNOWN; a certain and CRITICAL hit stays.
 void addUnknown(std::uint32_t reason, const std::string& words, CollisionWarning& msg) {
   msg.reason |= reason;
   msg.message += (msg.message.empty() ? "" : "; ") + words;
-  if (msg.collision_predicted == 0) msg.time_to_collision = kNaN;
+  if (msg.collision_predicted == 0)
+    msg.time_to_collision = msg.closest_distance = msg.closest_time = kNaN;
   if (msg.collision_predicted == 0 || msg.level != Warning::CRITICAL) msg.level = Warning::UNKNOWN;
   msg.contact_free_time = 0;
   msg.clearance = kNaN;
@@ -53,9 +63,7 @@ CollisionWarning warningMsg(const Evaluated* evaluated, const ros::Time& stamp, 
     if (evaluated->prediction.first) fillContact(*evaluated->prediction.first, *evaluated, msg);
     const bool all_known = findings.reasons() % kFirstDegradedReason == 0 ||
                            findings.reasons() % kFirstDegradedReason == Warning::REASON_SETTLING;
-    if (all_known)
-      msg.clearance =
-          evaluated->prediction.clearance.value_or(msg.obstacle_count == 0 ? kInfinity : kNaN);
+    if (all_known) fillGaps(evaluated->prediction, msg);
   }
   msg.contact_free_time =
       findings.makeUnknown() ? 0 : std::min(msg.time_to_collision, parameters.horizon);
@@ -72,7 +80,7 @@ CollisionPrediction predictionMsg(const Evaluated& evaluated, const Findings& fi
   msg.area = scene.footprint.area();
   msg.centroid = toMsg(scene.footprint.centroid());
   msg.twist = toMsg(scene.twist);
-  msg.segments = toMsg(scene.footprint, evaluated.prediction, scene.circles.keys,
+  msg.segments = toMsg(scene.footprint, evaluated.prediction, scene.obstacles.keys,
                        parameters.horizon, !findings.makeUnknown());
   return msg;
 }

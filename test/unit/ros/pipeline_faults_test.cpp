@@ -130,20 +130,6 @@ TEST_F(PipelineFaults, Fault14DuplicateIdsArePredictedAndNamed) {
   EXPECT_EQ(send(100.1, {nameless, nameless}).reason, 0u);
 }
 
-TEST_F(PipelineFaults, WhatIsNotSupportedIsUnknownNotAGuess) {
-  settle(100);
-  Obstacle growing = circleAhead(3, 2);
-  growing.radius_rate = 0.1;
-  expectUnknown(send(100, {growing}), Warning::REASON_NOT_SUPPORTED, "radius_rate");
-  Obstacle line = circleAhead(3, 2);
-  line.outline.resize(2);
-  line.outline[1].x = 1;
-  const Warning outlines = send(100.1, {line});
-  EXPECT_EQ(outlines.reason & Warning::REASON_NOT_PREDICTED, Warning::REASON_NOT_PREDICTED);
-  EXPECT_NE(outlines.message.find("1 lines"), std::string::npos) << outlines.message;
-  EXPECT_EQ(outlines.obstacle_count, 1u);
-}
-
 TEST_F(PipelineFaults, Fault07TooManyObstacles) {
   parameters.max_obstacles = 2;
   expectUnknown(send(100, {circleAhead(9, 0), circleAhead(9, 0), circleAhead(9, 0)}),

@@ -126,16 +126,6 @@ TEST_F(PipelineFreshness, MessagesWithOneStampCountOnce) {
   EXPECT_EQ(send(100.3, {}).level, Warning::CLEAR);
 }
 
-TEST_F(PipelineFreshness, AnOutlineAloneLeavesTheClearanceUnknown) {
-  Obstacle line = circleAhead(3, 0);
-  line.outline.resize(2);
-  line.outline[1].y = 1;
-  EXPECT_TRUE(std::isnan(send(100, {line}).clearance));
-  line.outline.resize(1);
-  EXPECT_EQ(send(100.1, {line}).reason & Warning::REASON_OBSTACLES_INVALID,
-            Warning::REASON_OBSTACLES_INVALID);
-}
-
 TEST_F(PipelineFreshness, AnEvaluationThatTookTooLongIsUnknown) {
   for (double t = 100; t < 100.25; t += 0.1) send(t, {});
   const Warning clear = warnings.back();

@@ -62,12 +62,26 @@ TEST_F(PipelineMotion, WithoutOdometryOnlyWhatTouchesNowIsCertain) {
   EXPECT_EQ(warnings.back().reason, Warning::REASON_ODOM_MISSING);
 }
 
-TEST_F(PipelineMotion, TurningIsNotSupportedUnlessItDoesNotMatter) {
-  sendOdometry(100, 1, 0.3);
-  EXPECT_EQ(send(100, {circleAhead(3, 0)}).reason, Warning::REASON_NOT_SUPPORTED);
-  EXPECT_TRUE(std::isnan(warnings.back().time_to_collision));
-  sendOdometry(100.1, 1, 1e-6);
-  EXPECT_NEAR(send(100.1, {circleAhead(3, 0)}).time_to_collision, 2, 1e-5);
+TEST_F(PipelineMotion, TurningInPlaceIsPredicted) {
+  // Seen from the square, the point at 0.6 m goes round it the other way, and meets the front where
+  // its x is 0.5.
+  const double contact = std::acos(0.5 / 0.6) / 0.5;
+  sendOdometry(100, 0, 0.5);
+  const Warning warning = send(100, {circleAhead(0.6, 0, 0)});
+  EXPECT_EQ(warning.reason, Warning::REASON_SETTLING & warning.reason);
+  EXPECT_NEAR(warning.time_to_collision, contact, 1e-6);
+  EXPECT_EQ(warning.segment, 3);
+  EXPECT_NEAR(warning.contact_point.x, 0.5, 1e-6);
+  EXPECT_NEAR(warning.contact_point.y, -std::sqrt(0.11), 1e-6);
+  EXPECT_NEAR(warning.closing_speed, 0.5 * std::sqrt(0.11), 1e-6);
+  EXPECT_EQ(predictions.back().twist.angular.z, 0.5);
+}
+
+TEST_F(PipelineMotion, BetweenMessagesATurningRobotIsCarriedOnAlongItsArc) {
+  const double contact = std::acos(0.5 / 0.6) / 0.5;
+  sendOdometry(100, 0, 0.5);
+  send(100, {circleAhead(0.6, 0, 0)});
+  EXPECT_NEAR(pipeline().repeat(at(100.3)).time_to_collision, contact - 0.3, 1e-6);
 }
 
 TEST_F(PipelineMotion, OdometryOfAnotherFrameIsCarriedOver) {

@@ -37,8 +37,52 @@ TEST_F(PipelineTest, Fault10AnEmptyListIsClearOnceItHasSettled) {
   EXPECT_EQ(clear.contact_free_time, 5);
   EXPECT_TRUE(std::isinf(clear.time_to_collision));
   EXPECT_TRUE(std::isinf(clear.clearance));
-  EXPECT_TRUE(std::isnan(clear.closest_distance));
+  EXPECT_TRUE(std::isinf(clear.closest_distance));
+  EXPECT_TRUE(std::isnan(clear.closest_time));
   EXPECT_EQ(clear.segment, -1);
+}
+
+TEST_F(PipelineTest, PredictsAGrowingRadius) {
+  Obstacle growing = circleAhead(3, 0);  // 2 m from the front
+  growing.radius_rate = 0.8;
+  const Warning warning = send(100, {growing});
+  EXPECT_NEAR(warning.time_to_collision, 2.5, 1e-9);
+  EXPECT_EQ(warning.closing_speed, 0);
+}
+
+TEST_F(PipelineTest, PredictsALine) {
+  Obstacle wall = circleAhead(3, 2, 0.5);  // across the way, 2 m from the front
+  wall.outline.resize(2);
+  wall.outline[0].y = -4;
+  wall.outline[1].y = 4;
+  const Warning warning = send(100, {wall});
+  EXPECT_NEAR(warning.time_to_collision, 1, 1e-9);
+  EXPECT_EQ(warning.segment,
+            0);  // both ends of the front touch it; the left one is of segment 0 too
+  EXPECT_EQ(warning.obstacle_id, 7);
+  EXPECT_NEAR(warning.clearance, 2, 1e-12);
+  EXPECT_EQ(warning.reason & Warning::REASON_NOT_PREDICTED, 0u);
+}
+
+TEST_F(PipelineTest, RefusesAnOutlineOfOneVertex) {
+  Obstacle vertex = circleAhead(3, 0);
+  vertex.outline.resize(1);
+  EXPECT_EQ(send(100, {vertex}).reason & Warning::REASON_OBSTACLES_INVALID,
+            Warning::REASON_OBSTACLES_INVALID);
+}
+
+TEST_F(PipelineTest, TellsTheClosestApproach) {
+  // Passes the front at 1 m beside it, less its radius, after 2 s.
+  Obstacle passing = circleAhead(1.5, 0);
+  passing.position.y = -2;
+  passing.velocity.y = 1;
+  const Warning warning = send(100, {passing});
+  EXPECT_NEAR(warning.closest_distance, 0.5, 1e-6);
+  EXPECT_GE(warning.closest_time, 1.5 - 1e-3);  // anywhere along the front
+  EXPECT_LE(warning.closest_time, 2.5 + 1e-3);
+  Obstacle hit = circleAhead(3, 2);
+  EXPECT_EQ(send(100.1, {hit}).closest_distance, 0);
+  EXPECT_NEAR(warnings.back().closest_time, 1, 1e-9);
 }
 
 TEST_F(PipelineTest, ReportsTheFirstContactInEveryField) {
