@@ -36,6 +36,8 @@ class ObstacleBatch {
   Outline outline(std::size_t i) const;
   /// [m/s^2] at least that of every obstacle
   double largestAcceleration() const { return largest_acceleration_; }
+  /// Whether any obstacle accelerates or grows.
+  bool bends() const { return bends_; }
 
   /// One value for each obstacle, for what goes through all of them.
   std::vector<double> x, y;             ///< [m] position
@@ -49,6 +51,7 @@ class ObstacleBatch {
   std::vector<std::uint32_t> outline_end_;  ///< in outline_edges_
   std::vector<Edge> outline_edges_;
   double largest_acceleration_ = 0;
+  bool bends_ = false;
 };
 
 }  // namespace footprint_collision_predictor::core

@@ -33,6 +33,16 @@ double signedArea(const std::vector<Vec2>& vertices);
 /// \throws InvalidPolygon when the area is 0.
 Vec2 centroid(const std::vector<Vec2>& vertices);
 
+/// A segment of a footprint as seen from the centroid, where coordinates are small. The point of
+/// the segment `along` it lies at offset normal + (start + along) tangent.
+struct Side {
+  Vec2 normal;    ///< unit vector out of the footprint
+  Vec2 tangent;   ///< unit vector from the segment's start to its end
+  double offset;  ///< [m] of the segment's line along the normal
+  double start;   ///< [m] of the segment's start along the tangent
+  double length;  ///< [m]
+};
+
 /// A valid footprint. Segment i runs from vertex i to vertex i + 1 in the order given, the last one
 /// to vertex 0; nothing is ever renumbered, whatever the winding.
 class Polygon {
@@ -53,6 +63,10 @@ class Polygon {
   bool isCounterClockwise() const { return signed_area_ > 0; }
   /// [m]
   const Vec2& centroid() const { return centroid_; }
+  /// Whether no vertex turns inwards; straight ones may.
+  bool isConvex() const { return is_convex_; }
+  /// One for each segment.
+  const std::vector<Side>& sides() const { return sides_; }
   /// Distance from the centroid to the farthest vertex [m].
   double boundingRadius() const { return bounding_radius_; }
   /// Whether p lies inside. A point on the boundary may be told either way.
@@ -64,6 +78,8 @@ class Polygon {
   double signed_area_;
   Vec2 centroid_;
   double bounding_radius_;
+  bool is_convex_;
+  std::vector<Side> sides_;
 };
 
 }  // namespace footprint_collision_predictor::core

@@ -26,28 +26,34 @@ inline double firstRoot(double gap, double slope, double curvature, double windo
   return std::min(step, window);
 }
 
-/// How a point lies to an edge that starts at the origin.
+/// How a point lies to the nearest point of a body.
 struct Away {
-  Vec2 vector;  ///< from the nearest point of the edge
-  bool is_beyond_end;
+  Vec2 vector;          ///< [m] from there to the point
+  bool is_at_vertex;    ///< whether the nearest point is a vertex
+  std::size_t segment;  ///< the one it is on
 };
 
-inline Away awayFrom(const Edge& edge, const Vec2& p) {
-  const double along = edge.tangent.dot(p);
-  if (along <= 0) return {p, true};
-  if (along >= edge.length) return {p - edge.end, true};
-  return {cross(edge.tangent, p) * leftNormal(edge.tangent), false};
-}
+/// A single edge as a body, with its start at the origin.
+struct EdgeBody {
+  Edge edge;
 
-/// The gap between a growing disc and an edge at one moment, and how it may shrink from there.
-template <typename Path>
+  Away awayFrom(const Vec2& p) const {
+    const double along = edge.tangent.dot(p);
+    if (along <= 0) return {p, true, 0};
+    if (along >= edge.length) return {p - edge.end, true, 0};
+    return {cross(edge.tangent, p) * leftNormal(edge.tangent), false, 0};
+  }
+};
+
+/// The gap between a growing disc and a convex body at one moment, and how it may shrink from
+/// there.
+template <typename Body, typename Path>
 class Gap {
  public:
-  /// \param edge starts at the origin
-  Gap(const Edge& edge, const Path& path, const Disc& disc, double t)
-      : path_(path), state_(path.at(t)), away_(awayFrom(edge, state_.position)) {
+  Gap(const Body& body, const Path& path, const Disc& disc, double t)
+      : path_(path), state_(path.at(t)), away_(body.awayFrom(state_.position)) {
     distance_ = away_.vector.norm();
-    // On the edge itself any direction will do: there the gap is no more than rounding.
+    // On the body itself any direction will do: there the gap is no more than rounding.
     normal_ = distance_ > 0 ? Vec2(away_.vector / distance_) : Vec2(1, 0);
     size_ = distance_ - disc.radiusAt(t);
     slope_ = normal_.dot(state_.velocity) - disc.radius_rate;
@@ -60,10 +66,12 @@ class Gap {
   /// [m/s^2] at which the slope grows
   double curvature() const {
     const double bend = normal_.dot(state_.acceleration);
-    if (!away_.is_beyond_end || distance_ == 0) return bend;
+    if (!away_.is_at_vertex || distance_ == 0) return bend;
     const double past = cross(normal_, state_.velocity);
     return bend + past * past / distance_;
   }
+  /// Of the body, the one that is nearest.
+  std::size_t segment() const { return away_.segment; }
   /// [s] for how long, at most `window`, the gap certainly stays above `level` [m] < size().
   double staysAbove(double level, double window) const {
     const double curvature = path_.lowestAcceleration(state_, normal_, window);
@@ -82,31 +90,37 @@ class Gap {
 
 /// Where to go next from t: the longer of the steps that follow from all the time left and from a
 /// window of a few lengths of the last step, in which the path can be bent less.
-template <typename Path>
-double nextStep(const Gap<Path>& gap, double level, double time_left, double last_step) {
+template <typename Body, typename Path>
+double nextStep(const Gap<Body, Path>& gap, double level, double time_left, double last_step) {
   constexpr double kWindow = 8;
   const double step = gap.staysAbove(level, time_left);
   const double window = kWindow * last_step;
   return window < time_left ? std::max(step, gap.staysAbove(level, window)) : step;
 }
 
-/// First t in [0, horizon] at which the gap is at most the tolerance; it is aimed at half of that,
-/// so that it is never later than the contact. \param edge starts at the origin \param tolerance
-/// [m] > 0, as a function of time
-template <typename Path, typename Tolerance>
-std::optional<double> advanceToContact(const Edge& edge, const Path& path, const Disc& disc,
-                                       double horizon, const Tolerance& tolerance) {
-  constexpr std::size_t kMaxSteps = 100000;
+/// How an advancement ended.
+struct Advance {
+  enum { kContact, kNoContact, kUndecided } outcome;
+  double time;          ///< [s] of the contact, or up to which there is none
+  std::size_t segment;  ///< of the body, where it was nearest
+};
+
+/// Goes on to the first t in [0, horizon] at which the gap is at most the tolerance; it is aimed at
+/// half of that, so that it is never later than the contact.
+/// \param tolerance [m] > 0, as a function of time
+template <typename Body, typename Path, typename Tolerance>
+Advance advanceToContact(const Body& body, const Path& path, const Disc& disc, double horizon,
+                         const Tolerance& tolerance, std::size_t max_steps) {
   double t = 0, step = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kMaxSteps; ++i) {
-    const Gap<Path> gap(edge, path, disc, t);
+  for (std::size_t i = 0; i < max_steps; ++i) {
+    const Gap<Body, Path> gap(body, path, disc, t);
     const double enough = tolerance(t);
-    if (gap.size() <= enough) return t;
+    if (gap.size() <= enough) return {Advance::kContact, t, gap.segment()};
     step = nextStep(gap, enough / 2, horizon - t, step);
-    if (step >= horizon - t) return std::nullopt;
+    if (step >= horizon - t) return {Advance::kNoContact, horizon, 0};
     t += step;
   }
-  return t;
+  return {Advance::kUndecided, t, 0};
 }
 
 }  // namespace footprint_collision_predictor::core

@@ -3,47 +3,39 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rounding.hpp"
+
 namespace footprint_collision_predictor::core {
 namespace {
 
-// Far more than what rounding can amount to in the squares below, relative to their terms.
-constexpr double kRounding = 1e-12;
-
-/// One obstacle, or the arrays of many.
-struct Moving {
-  double x, y, vx, vy, ax, ay, radius, radius_rate;
-};
-
-/// Whether two circles may touch within the window: the one of the obstacle, and the footprint's,
-/// grown by `gap`.
-/// \param o with the position relative to the centroid
-[[gnu::always_inline]] inline bool mayTouch(const Moving& o, const SweptFootprint::Window& w,
-                                            double gap) {
-  const double t = w.start, duration = w.duration;
-  const double middle = t + 0.5 * duration;
-  const double px = o.x + t * (o.vx + 0.5 * t * o.ax) - w.centre.x();
-  const double py = o.y + t * (o.vy + 0.5 * t * o.ay) - w.centre.y();
-  const double vx = o.vx + middle * o.ax - w.velocity.x();
-  const double vy = o.vy + middle * o.ay - w.velocity.y();
-  const double bulge = 0.125 * duration * duration * (std::abs(o.ax) + std::abs(o.ay));
-  const double reach = o.radius + o.radius_rate * t + w.radius + bulge + gap;
-  const double rate = o.radius_rate;
+/// A point and a circle of this size about the origin, at the start of a window: whether they may
+/// touch within its duration.
+/// \param rate at which the circle grows
+template <bool kGrows>
+[[gnu::always_inline]] inline bool mayTouch(double px, double py, double vx, double vy,
+                                            double reach, double rate, double duration) {
   // |p + v t|^2 - (reach + rate t)^2 = f + 2 h t + m t^2, and its discriminant as a sum of squares
   // of cross products, which does not cancel far away.
-  const double p2 = px * px + py * py;
-  const double v2 = vx * vx + vy * vy;
-  const double f = p2 - reach * reach;
-  const double h = px * vx + py * vy - reach * rate;
-  const double m = v2 - rate * rate;
+  const double p2 = px * px + py * py, v2 = vx * vx + vy * vy;
+  const double reach2 = reach * reach;
   const double cross = px * vy - py * vx;
-  const double sx = reach * vx - rate * px, sy = reach * vy - rate * py;
-  const double discriminant = sx * sx + sy * sy - cross * cross;
+  const double f = p2 - reach2;
+  double h = px * vx + py * vy;
+  double m = v2, speeds = v2;
+  double discriminant = reach2 * v2 - cross * cross;
+  if constexpr (kGrows) {
+    h -= reach * rate;
+    m -= rate * rate;
+    speeds += rate * rate;
+    const double x = reach * vx - rate * px, y = reach * vy - rate * py;
+    discriminant = x * x + y * y - cross * cross;
+  }
   const double at_end = f + duration * (2 * h + duration * m);
-  const double size = p2 + reach * reach + duration * duration * (v2 + rate * rate);
-  const bool at_the_ends = (f <= kRounding * size) | (at_end <= kRounding * size);
-  const bool between = (h <= 0) & (h + m * duration >= 0) &
-                       (discriminant >= -kRounding * (p2 + reach * reach) * (v2 + rate * rate));
-  // A negative reach is a gap that overlaps alone can have.
+  const double size = kGenerous * (p2 + reach2);
+  const double rounding = size + kGenerous * duration * duration * speeds;
+  const bool at_the_ends = (f <= rounding) | (at_end <= rounding);
+  const bool between = (h <= 0) & (h + m * duration >= 0) & (discriminant >= -size * speeds);
+  // A negative reach is that of a gap which only overlaps can have.
   return (at_the_ends | between) & (reach >= 0);
 }
 
@@ -53,45 +45,71 @@ struct Arrays {
 
 /// What all obstacles are asked.
 struct Question {
-  double origin_x, origin_y;
+  Vec2 origin;
   SweptFootprint::Window window;
   double gap;
 };
 
+/// Any obstacle i.
+[[gnu::always_inline]] inline bool mayTouch(const Arrays& a, std::size_t i, const Question& q) {
+  const double t = q.window.start, duration = q.window.duration;
+  const double middle = t + 0.5 * duration;
+  const double x = a.x[i] - q.origin.x(), y = a.y[i] - q.origin.y();
+  const double bulge = 0.125 * duration * duration * (std::abs(a.ax[i]) + std::abs(a.ay[i]));
+  const double rate = a.radius_rate[i];
+  return mayTouch<true>(x + t * (a.vx[i] + 0.5 * t * a.ax[i]) - q.window.centre.x(),
+                        y + t * (a.vy[i] + 0.5 * t * a.ay[i]) - q.window.centre.y(),
+                        a.vx[i] + middle * a.ax[i] - q.window.velocity.x(),
+                        a.vy[i] + middle * a.ay[i] - q.window.velocity.y(),
+                        a.radius[i] + rate * t + (q.window.radius + q.gap) + bulge, rate, duration);
+}
+
+/// One that neither accelerates nor grows, in the only window of a footprint that does not turn.
+[[gnu::always_inline]] inline bool mayTouchStraight(const Arrays& a, std::size_t i,
+                                                    const Question& q) {
+  return mayTouch<false>(a.x[i] - q.origin.x(), a.y[i] - q.origin.y(),
+                         a.vx[i] - q.window.velocity.x(), a.vy[i] - q.window.velocity.y(),
+                         a.radius[i] + (q.window.radius + q.gap), 0, q.window.duration);
+}
+
+template <bool kStraight>
 [[gnu::always_inline]] inline void mark(const Arrays& a, std::size_t count, const Question& q,
                                         std::int64_t* marks) {
   for (std::size_t i = 0; i < count; ++i) {
-    const Moving o{a.x[i] - q.origin_x, a.y[i] - q.origin_y, a.vx[i], a.vy[i], a.ax[i], a.ay[i],
-                   a.radius[i],         a.radius_rate[i]};
-    marks[i] |= mayTouch(o, q.window, q.gap) ? 1 : 0;
+    const bool may_touch = kStraight ? mayTouchStraight(a, i, q) : mayTouch(a, i, q);
+    marks[i] |= may_touch ? 1 : 0;
   }
 }
 
+template <bool kStraight>
 void markBaseline(const Arrays& a, std::size_t count, const Question& q, std::int64_t* marks) {
-  mark(a, count, q, marks);
+  mark<kStraight>(a, count, q, marks);
 }
 
 #ifdef __x86_64__
+template <bool kStraight>
 [[gnu::target("avx2")]] void markAvx2(const Arrays& a, std::size_t count, const Question& q,
                                       std::int64_t* marks) {
-  mark(a, count, q, marks);
+  mark<kStraight>(a, count, q, marks);
 }
 
+template <bool kStraight>
 [[gnu::target("avx512f,avx512vl,avx512dq,prefer-vector-width=512")]] void markAvx512(
     const Arrays& a, std::size_t count, const Question& q, std::int64_t* marks) {
-  mark(a, count, q, marks);
+  mark<kStraight>(a, count, q, marks);
 }
 #endif
 
 using Mark = void (*)(const Arrays&, std::size_t, const Question&, std::int64_t*);
 
+template <bool kStraight>
 Mark markWith(InstructionSet set) {
 #ifdef __x86_64__
-  if (set == InstructionSet::kAvx512) return markAvx512;
-  if (set == InstructionSet::kAvx2) return markAvx2;
+  if (set == InstructionSet::kAvx512) return markAvx512<kStraight>;
+  if (set == InstructionSet::kAvx2) return markAvx2<kStraight>;
 #endif
   (void)set;
-  return markBaseline;
+  return markBaseline<kStraight>;
 }
 
 }  // namespace
@@ -115,35 +133,71 @@ InstructionSet widestInstructionSet() {
   return widest;
 }
 
+std::size_t windowsFor(const Polygon& footprint, const Twist& twist, double horizon,
+                       double obstacle_acceleration) {
+  // As many as make the bulges some tenths of the footprint: more cost more than they save.
+  const double speed = atPoint(footprint.centroid(), twist).linear.norm();
+  const double bulge =
+      (std::abs(twist.angular) * speed + obstacle_acceleration) * horizon * horizon / 8;
+  if (bulge == 0) return 1;
+  const double wanted = std::ceil(std::sqrt(2 * bulge / footprint.boundingRadius()));
+  return static_cast<std::size_t>(
+      std::clamp(wanted, 1.0, static_cast<double>(SweptFootprint::kMostWindows)));
+}
+
 SweptFootprint::SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon,
-                               double obstacle_acceleration) {
+                               std::size_t windows) {
   centroid_ = footprint.centroid();
+  turns_ = twist.angular != 0;
   const Twist centroid = atPoint(centroid_, twist);
-  const double acceleration = std::abs(twist.angular) * centroid.linear.norm();
+  const double speed = centroid.linear.norm();
+  const double acceleration = std::abs(twist.angular) * speed;
   const double radius = footprint.boundingRadius();
-  // As many windows as make the bulges some tenths of the footprint: more cost more than they save.
-  const double bulge = (acceleration + obstacle_acceleration) * horizon * horizon / 8;
-  const double wanted = std::ceil(std::sqrt(2 * bulge / radius));
-  count_ = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(windows_.size())));
+  count_ = windows;
   const double duration = horizon / static_cast<double>(count_);
   Vec2 centre(0, 0);
   for (std::size_t i = 0; i < count_; ++i) {
     const double start = static_cast<double>(i) * duration;
-    const Vec2 next = displacement(centroid, start + duration);
-    const Vec2 velocity = duration > 0 ? Vec2((next - centre) / duration) : Vec2(0, 0);
-    const double rounding = kRounding * (radius + (start + duration) * centroid.linear.norm());
-    windows_[i] = {start, duration, centre, velocity,
+    const double rounding = kGenerous * (radius + (start + duration) * speed);
+    windows_[i] = {start, duration, centre, centroid.linear,
                    radius + acceleration * duration * duration / 8 + rounding};
+    if (!turns_) {
+      centre += duration * centroid.linear;
+      continue;
+    }
+    const Vec2 next = displacement(centroid, start + duration);
+    if (duration > 0) windows_[i].velocity = (next - centre) / duration;
     centre = next;
   }
 }
+
+namespace {
+
+/// The indices of those that are marked. Most are not, so whole groups are passed over.
+std::size_t collect(const std::array<std::int64_t, kBlock>& marks, std::size_t begin,
+                    std::size_t count, std::array<std::size_t, kBlock>* candidates) {
+  constexpr std::size_t kGroup = 8;
+  std::size_t found = 0;
+  for (std::size_t group = 0; group < count; group += kGroup) {
+    std::int64_t any = 0;
+    for (std::size_t i = group; i < group + kGroup; ++i) any |= marks[i];
+    if (any == 0) continue;
+    for (std::size_t i = group; i < group + kGroup; ++i) {
+      (*candidates)[found] = begin + i;
+      found += static_cast<std::size_t>(marks[i]);
+    }
+  }
+  return found;
+}
+
+}  // namespace
 
 std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, std::size_t end,
                            const SweptFootprint& footprint, double gap, InstructionSet set,
                            std::array<std::size_t, kBlock>* candidates) {
   std::array<std::int64_t, kBlock> marks;
   const std::size_t count = end - begin;
-  std::fill_n(marks.begin(), count, 0);
+  marks.fill(0);
   const Arrays arrays{&obstacles.x[begin],
                       &obstacles.y[begin],
                       &obstacles.vx[begin],
@@ -152,26 +206,37 @@ std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, st
                       &obstacles.ay[begin],
                       &obstacles.bounding_radius[begin],
                       &obstacles.radius_rate[begin]};
-  const Mark mark_window = markWith(set);
-  const Vec2& origin = footprint.centroid();
+  const bool straight = !footprint.turns() && !obstacles.bends();
+  const Mark mark_window = straight ? markWith<true>(set) : markWith<false>(set);
   for (const auto& window : footprint)
-    mark_window(arrays, count, {origin.x(), origin.y(), window, gap}, marks.data());
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    (*candidates)[found] = begin + i;
-    found += static_cast<std::size_t>(marks[i]);
-  }
-  return found;
+    mark_window(arrays, count, {footprint.centroid(), window, gap}, marks.data());
+  return collect(marks, begin, count, candidates);
 }
 
 bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc,
                    double bounding_radius) {
   const Motion& m = disc.motion;
-  const Vec2 position = m.position - footprint.centroid();
-  const Moving moving{position.x(),       position.y(),       m.velocity.x(),  m.velocity.y(),
-                      m.acceleration.x(), m.acceleration.y(), bounding_radius, disc.radius_rate};
-  return std::any_of(footprint.begin(), footprint.end(),
-                     [&](const auto& window) { return mayTouch(moving, window, gap); });
+  const Arrays one{&m.position.x(),     &m.position.y(),     &m.velocity.x(),  &m.velocity.y(),
+                   &m.acceleration.x(), &m.acceleration.y(), &bounding_radius, &disc.radius_rate};
+  const auto may_touch = [&](const SweptFootprint::Window& window) {
+    return mayTouch(one, 0, {footprint.centroid(), window, gap});
+  };
+  return std::any_of(footprint.begin(), footprint.end(), may_touch);
+}
+
+bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc, double horizon) {
+  const SweptFootprint coarse(footprint, twist, horizon, 1);
+  if (!mayComeWithin(0, coarse, disc, disc.radius)) return false;
+  const std::size_t windows =
+      windowsFor(footprint, twist, horizon, disc.motion.acceleration.norm());
+  return windows == 1 ||
+         mayComeWithin(0, SweptFootprint(footprint, twist, horizon, windows), disc, disc.radius);
+}
+
+bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {
+  const double reach = bounding_radius + footprint.boundingRadius() + gap;
+  const double p2 = (disc.motion.position - footprint.centroid()).squaredNorm();
+  return reach >= 0 && p2 * (1 - kGenerous) <= reach * reach;
 }
 
 }  // namespace footprint_collision_predictor::core

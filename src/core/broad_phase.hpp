@@ -28,13 +28,15 @@ InstructionSet widestInstructionSet();
 /// The circle around a footprint, on its way.
 class SweptFootprint {
  public:
-  /// \param obstacle_acceleration [m/s^2] largest of all obstacles; larger ones only cost time
-  SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon,
-                 double obstacle_acceleration);
+  static constexpr std::size_t kMostWindows = 8;
+
+  /// \param windows into which the time is cut
+  SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon, std::size_t windows);
 
   /// [m] in the footprint's frame; everything else is relative to it, so that nothing is lost far
   /// from the frame's origin.
   const Vec2& centroid() const { return centroid_; }
+  bool turns() const { return turns_; }
   /// A stretch of time in which the circle moves along a chord.
   struct Window {
     double start;     ///< [s]
@@ -48,9 +50,14 @@ class SweptFootprint {
 
  private:
   Vec2 centroid_;
-  std::array<Window, 8> windows_;
+  std::array<Window, kMostWindows> windows_;
   std::size_t count_;
+  bool turns_;
 };
+
+/// Into how many windows to cut the time, by the largest acceleration [m/s^2] of any obstacle.
+std::size_t windowsFor(const Polygon& footprint, const Twist& twist, double horizon,
+                       double obstacle_acceleration);
 
 constexpr std::size_t kBlock = 256;
 
@@ -65,5 +72,11 @@ std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, st
 /// The same question for a single one.
 bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc,
                    double bounding_radius);
+
+/// Whether a single disc may touch the footprint.
+bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc, double horizon);
+
+/// The same question for now alone.
+bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius);
 
 }  // namespace footprint_collision_predictor::core

@@ -21,16 +21,16 @@ constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
 template <typename Path>
 class Search {
  public:
-  Search(const Edge& edge, const Path& path, const Disc& disc, double horizon)
+  Search(const EdgeBody& edge, const Path& path, const Disc& disc, double horizon)
       : edge_(edge), path_(path), disc_(disc), horizon_(horizon) {}
 
   void lower(ClosestApproach* closest) const {
-    const double size = path_.sizeAt(horizon_) + edge_.length + disc_.radiusAt(horizon_);
+    const double size = path_.sizeAt(horizon_) + edge_.edge.length + disc_.radiusAt(horizon_);
     const double resolution = kResolution + kRounding * size;
     constexpr std::size_t kMaxSteps = 100000;
     double t = 0, step = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < kMaxSteps; ++i) {
-      const Gap<Path> gap = gapAt(t);
+      const Gap<EdgeBody, Path> gap = gapAt(t);
       if (gap.size() < closest->distance) {
         *closest = {gap.size(), t};
         if (gap.slope() < 0) descend(t, closest);
@@ -43,7 +43,7 @@ class Search {
   }
 
  private:
-  Gap<Path> gapAt(double t) const { return {edge_, path_, disc_, t}; }
+  Gap<EdgeBody, Path> gapAt(double t) const { return {edge_, path_, disc_, t}; }
 
   /// Follows a gap that shrinks down to where it stops, or to the horizon: Newton's method on its
   /// slope, kept within a bracket. Where the gap has several minima, any of them will do.
@@ -51,7 +51,7 @@ class Search {
     constexpr int kMaxSteps = 60;
     double shrinks = t, grows = horizon_, next = horizon_;
     for (int i = 0; i < kMaxSteps; ++i) {
-      const Gap<Path> gap = gapAt(next);
+      const Gap<EdgeBody, Path> gap = gapAt(next);
       const bool falls = gap.slope() < 0 && gap.size() <= closest->distance;
       if (gap.size() < closest->distance) *closest = {gap.size(), next};
       if (falls && next == horizon_) return;
@@ -63,7 +63,7 @@ class Search {
     }
   }
 
-  const Edge& edge_;
+  const EdgeBody& edge_;
   const Path& path_;
   const Disc& disc_;
   double horizon_;
@@ -79,7 +79,7 @@ Edge fromStart(const Edge& edge) {
 template <typename Path>
 void search(const Edge& edge, const Path& path, const Disc& disc, double horizon,
             ClosestApproach* closest) {
-  const Edge local = fromStart(edge);
+  const EdgeBody local{fromStart(edge)};
   Search<Path>(local, path, disc, horizon).lower(closest);
 }
 

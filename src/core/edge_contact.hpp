@@ -14,6 +14,10 @@ std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, doubl
 std::optional<Contact> timeToCollision(const Edge& edge, const Twist& twist, const Disc& disc,
                                        double horizon);
 
+/// \param position [m] of the disc's centre relative to the segment's start, at its contact at t
+/// \param slack [m] within which an end is named
+Contact contactAt(const Segment& segment, const Vec2& position, double t, double slack);
+
 /// Earliest t in [0, horizon] at which an edge of an obstacle's outline, rounded by the disc's
 /// radius, touches a point of the footprint. \param point [m] in the footprint's frame \param twist
 /// of the footprint \param edge of the outline, relative to the disc's centre

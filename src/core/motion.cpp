@@ -1,10 +1,11 @@
 #include "footprint_collision_predictor/motion.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <sstream>
 #include <string>
 #include <utility>
+
+#include "path.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
@@ -41,24 +42,17 @@ Obstacle::Obstacle(const Motion& motion, double radius, double radius_rate,
 
 Obstacle Obstacle::after(double dt, const Twist& footprint) const {
   const Motion& now = disc_.motion;
-  // The axes of the footprint's frame as they are then, in those of now.
-  const Eigen::Rotation2Dd turn(footprint.angular * dt);
-  const auto turned = [&](const Vec2& v) -> Vec2 { return turn.inverse() * v; };
+  const Turn turn(footprint.angular * dt);
   Obstacle later = *this;
-  later.disc_.motion = {turned(now.positionAt(dt) - displacement(footprint, dt)),
-                        turned(now.velocityAt(dt)), turned(now.acceleration)};
+  later.disc_.motion = {turn.back(now.positionAt(dt) - turn.displacement(dt * footprint.linear)),
+                        turn.back(now.velocityAt(dt)), turn.back(now.acceleration)};
   later.disc_.radius = disc_.radiusAt(dt);
-  for (Vec2& vertex : later.outline_) vertex = turned(vertex);
+  for (Vec2& vertex : later.outline_) vertex = turn.back(vertex);
   return later;
 }
 
 Vec2 displacement(const Twist& twist, double dt) {
-  // The mean direction of travel is that of half the turn, and the chord is shorter than the arc by
-  // sin(x) / x of it: no difference of near numbers, however small the yaw rate.
-  if (twist.angular == 0) return dt * twist.linear;
-  const double half_turn = 0.5 * twist.angular * dt;
-  const double shortening = half_turn == 0 ? 1 : std::sin(half_turn) / half_turn;
-  return (dt * shortening) * (Eigen::Rotation2Dd(half_turn) * twist.linear);
+  return Turn(twist.angular * dt).displacement(dt * twist.linear);
 }
 
 Twist atPoint(const Vec2& point, const Twist& twist) {

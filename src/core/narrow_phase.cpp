@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convex.hpp"
 #include "edge_contact.hpp"
 #include "path.hpp"
+#include "rounding.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
@@ -13,87 +15,141 @@ void keepEarlier(const std::optional<Contact>& candidate, std::optional<Contact>
   if (candidate && (!*earliest || candidate->time < (*earliest)->time)) *earliest = candidate;
 }
 
-/// The first contact of two chains always involves a vertex of one of them: the outline's against
-/// the edge, or the edge's against the outline. Only chains that cross at once need neither.
-std::optional<Contact> contactWithOutline(const Edge& edge, const Twist& twist, const Shape& shape,
-                                          double horizon) {
-  if (const auto point = crossingNow(edge, shape)) return Contact{0, Feature::kInside, *point};
-  std::optional<Contact> earliest;
-  const auto touchOutline = [&](const Vec2& vertex, Feature feature, const Edge& other) {
-    const auto time = timeToTouchPoint(vertex, twist, other, shape.disc, horizon);
-    if (time) keepEarlier(Contact{*time, feature, vertex}, &earliest);
-  };
-  const auto touchVertex = [&](const Vec2& vertex) {
-    Disc disc = shape.disc;
-    disc.motion.position += vertex;
-    keepEarlier(timeToCollision(edge, twist, disc, horizon), &earliest);
-  };
-  for (const Edge& other : shape.outline) {
-    touchOutline(edge.start, Feature::kStart, other);
-    touchOutline(edge.end, Feature::kEnd, other);
-    touchVertex(other.start);
-    if (!shape.outline.isClosed()) touchVertex(other.end);
-  }
-  return earliest;
-}
-
 /// Speed at which the gap shrinks at the contact [m/s], but for the radius' growth.
 double closingSpeed(const Polygon& footprint, const Twist& twist, const Shape& shape,
                     const FootprintContact& first, bool is_nested) {
   const Contact& contact = first.contact;
-  const Edge& edge = footprint.segment(first.segment);
   // From the contact, so that nothing is lost far from the origin.
   Shape local = shape;
   local.disc.motion.position -= contact.point;
   const Twist at_contact = atPoint(contact.point, twist);
   std::optional<Vec2> outline_direction;
   const Vec2 away = nearestOf(local, at_contact, contact.time, {0, 0}, &outline_direction);
-  const double angle = twist.angular * contact.time;
   const Vec2 velocity =
-      turned(shape.disc.motion.velocityAt(contact.time), std::cos(angle), -std::sin(angle)) -
+      Turn(twist.angular * contact.time).back(local.disc.motion.velocityAt(contact.time)) -
       at_contact.linear;
-  Disc point = local.disc;
-  point.radius = point.radius_rate = 0;
-  point.motion = relativeMotion(point.motion, at_contact);
+  const Disc point{relativeMotion(local.disc.motion, at_contact), 0, 0};
   const double nothing = 2 * contactTolerance({{0, 0}, {0, 0}}, point, contact.time);
-  if (away.norm() > nothing)
-    return std::max(0.0, velocity.dot(away.normalized()) * (is_nested ? 1 : -1));
+  const double distance = away.norm();
+  if (distance > nothing)
+    return std::max(0.0, velocity.dot(away) / (is_nested ? distance : -distance));
   // What has no radius touches with its centre or outline. An edge has its normal; a vertex has
   // many, of which the one against the velocity is the worst.
   if (contact.feature == Feature::kInside) {
-    const Vec2 left = leftNormal(edge.tangent);
+    const Vec2 left = leftNormal(footprint.segment(first.segment).tangent);
     return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
   }
   if (outline_direction) return std::abs(cross(*outline_direction, velocity));
   return velocity.norm();
 }
 
+/// A lower bound in [0, duration] of c + b t + a t^2.
+double lowerBound(double c, double b, double a, double duration) {
+  return c + duration * (std::min(b, 0.0) + duration * std::min(a, 0.0));
+}
+
 }  // namespace
 
-std::optional<Contact> contactOf(const Polygon& footprint, std::size_t i, const Twist& twist,
-                                 const Shape& shape, double horizon) {
-  const Edge& edge = footprint.segment(i);
-  if (shape.outline.size == 0) return timeToCollision(edge, twist, shape.disc, horizon);
-  return contactWithOutline(edge, twist, shape, horizon);
+NarrowPhase::NarrowPhase(const Polygon& footprint, const Twist& twist, const Shape& shape,
+                         double horizon)
+    : footprint_(footprint),
+      twist_(twist),
+      shape_(shape),
+      horizon_(horizon),
+      relative_(shape.disc),
+      rounding_(0) {
+  relative_.motion = relativeMotion(shape.disc.motion, twist);
+  const Motion& m = relative_.motion;
+  const double path = horizon * (m.velocity.lpNorm<1>() + relative_.radius_rate +
+                                 0.5 * horizon * m.acceleration.lpNorm<1>());
+  rounding_ = kGenerous * ((m.position - footprint.centroid()).lpNorm<1>() + relative_.radius +
+                           2 * footprint.boundingRadius() + path);
+}
+
+/// Whether a line separates the disc from the edge all the time: the edge's own, or one across an
+/// end of it. Much quicker than the exact answer.
+bool NarrowPhase::staysAway(const Edge& edge, double until) const {
+  const Motion& m = relative_.motion;
+  const Vec2 position = m.position - edge.start;
+  const double reach = relative_.radius + relative_.radius_rate * until + rounding_;
+  const double across = cross(edge.tangent, position);
+  const double side = across < 0 ? -1 : 1;
+  if (lowerBound(side * across, side * cross(edge.tangent, m.velocity),
+                 0.5 * side * cross(edge.tangent, m.acceleration), until) > reach)
+    return true;
+  const double along = edge.tangent.dot(position);
+  const double velocity = edge.tangent.dot(m.velocity);
+  const double bend = 0.5 * edge.tangent.dot(m.acceleration);
+  return lowerBound(-along, -velocity, -bend, until) > reach ||
+         lowerBound(along - edge.length, velocity, bend, until) > reach;
+}
+
+std::optional<Contact> NarrowPhase::contactOf(std::size_t i, double until) const {
+  const Edge& edge = footprint_.segment(i);
+  if (shape_.outline.size > 0) return contactWithOutline(edge);
+  if (twist_.angular != 0) return timeToCollision(edge, twist_, shape_.disc, until);
+  if (staysAway(edge, until)) return std::nullopt;
+  return timeToCollision(edge, relative_, horizon_);
+}
+
+/// The first contact of two chains always involves a vertex of one of them: the outline's against
+/// the edge, or the edge's against the outline. Only chains that cross at once need neither.
+std::optional<Contact> NarrowPhase::contactWithOutline(const Edge& edge) const {
+  if (const auto point = crossingNow(edge, shape_)) return Contact{0, Feature::kInside, *point};
+  std::optional<Contact> earliest;
+  const auto touchOutline = [&](const Vec2& vertex, Feature feature, const Edge& other) {
+    const auto time = timeToTouchPoint(vertex, twist_, other, shape_.disc, horizon_);
+    if (time) keepEarlier(Contact{*time, feature, vertex}, &earliest);
+  };
+  const auto touchVertex = [&](const Vec2& vertex) {
+    Disc disc = shape_.disc;
+    disc.motion.position += vertex;
+    keepEarlier(timeToCollision(edge, twist_, disc, horizon_), &earliest);
+  };
+  for (const Edge& other : shape_.outline) {
+    touchOutline(edge.start, Feature::kStart, other);
+    touchOutline(edge.end, Feature::kEnd, other);
+    touchVertex(other.start);
+    if (!shape_.outline.isClosed()) touchVertex(other.end);
+  }
+  return earliest;
+}
+
+std::optional<FirstTouch> firstTouch(const Polygon& footprint, const Twist& twist,
+                                     const Shape& shape, double horizon, double until) {
+  if (shape.outline.size == 0 && footprint.isConvex()) {
+    const ConvexAnswer answer = firstTouchOfConvex(footprint, twist, shape.disc, horizon, until);
+    if (answer.is_certain) return answer.touch;
+  }
+  const NarrowPhase narrow(footprint, twist, shape, horizon);
+  std::optional<FirstTouch> first;
+  for (std::size_t i = 0; i < footprint.size(); ++i) {
+    const auto contact = narrow.contactOf(i, until);
+    if (!contact || contact->time > until) continue;
+    if (first && contact->time == until) continue;
+    first = FirstTouch{*contact, i};
+    until = contact->time;
+  }
+  return first;
 }
 
 FootprintContact contactNow(const Polygon& footprint, const Twist& twist, const Shape& shape,
                             const Nearest& nearest) {
   const Feature feature = featureOf(footprint.segment(nearest.segment), nearest.point);
   FootprintContact first =
-      contactLater(footprint, twist, shape, {0, feature, nearest.point}, nearest.segment);
+      contactLater(footprint, twist, shape, {{0, feature, nearest.point}, nearest.segment});
   const bool is_nested = nearest.gap + shape.disc.radius < 0;
-  first.closing_speed = closingSpeed(footprint, twist, shape, first, is_nested);
+  if (is_nested) first.closing_speed = closingSpeed(footprint, twist, shape, first, true);
   return first;
 }
 
 FootprintContact contactLater(const Polygon& footprint, const Twist& twist, const Shape& shape,
-                              const Contact& contact, std::size_t i) {
-  FootprintContact first{contact, i, 0, 0};
-  const auto neighbour = neighbourAt(contact.feature, i, footprint.size());
-  if (neighbour && *neighbour < i) {
+                              const FirstTouch& touch) {
+  FootprintContact first{touch.contact, touch.segment, 0, 0};
+  const auto neighbour = neighbourAt(touch.contact.feature, touch.segment, footprint.size());
+  if (neighbour && *neighbour < touch.segment) {
     first.segment = *neighbour;
-    first.contact.feature = featureOf(footprint.segment(*neighbour), contact.point);
+    first.contact.feature = featureOf(footprint.segment(*neighbour), touch.contact.point);
   }
   first.closing_speed = closingSpeed(footprint, twist, shape, first, false);
   return first;

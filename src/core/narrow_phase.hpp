@@ -1,6 +1,7 @@
 // The narrow phase: the exact answer for one obstacle that the broad phase has let through.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "footprint_collision_predictor/predictor.hpp"
@@ -8,20 +9,48 @@
 
 namespace footprint_collision_predictor::core {
 
-/// First contact of segment i of the footprint.
-std::optional<Contact> contactOf(const Polygon& footprint, std::size_t i, const Twist& twist,
-                                 const Shape& shape, double horizon);
+/// One obstacle beside the footprint.
+class NarrowPhase {
+ public:
+  /// The arguments must outlive it.
+  NarrowPhase(const Polygon& footprint, const Twist& twist, const Shape& shape, double horizon);
+
+  /// First contact of segment i within the horizon. It may be left out when it is later than
+  /// `until`.
+  std::optional<Contact> contactOf(std::size_t i, double until) const;
+
+ private:
+  bool staysAway(const Edge& edge, double until) const;
+  std::optional<Contact> contactWithOutline(const Edge& edge) const;
+
+  const Polygon& footprint_;
+  const Twist& twist_;
+  const Shape& shape_;
+  double horizon_;
+  Disc relative_;    ///< the motion as seen from the footprint, as long as that does not turn
+  double rounding_;  ///< [m] more than any gap can be off
+};
+
+/// The first contact of a footprint, and the segment.
+struct FirstTouch {
+  Contact contact;
+  std::size_t segment;
+};
+
+/// First contact with an obstacle that does not overlap the footprint now. It may be left out when
+/// it is later than `until`.
+std::optional<FirstTouch> firstTouch(const Polygon& footprint, const Twist& twist,
+                                     const Shape& shape, double horizon, double until);
 
 /// The contact at 0 with an obstacle that overlaps the solid footprint at its nearest place.
 FootprintContact contactNow(const Polygon& footprint, const Twist& twist, const Shape& shape,
                             const Nearest& nearest);
 
-/// A contact of segment i told for the footprint: on a corner for the lower index.
+/// A first touch told for the footprint: on a corner for the lower index.
 FootprintContact contactLater(const Polygon& footprint, const Twist& twist, const Shape& shape,
-                              const Contact& contact, std::size_t i);
+                              const FirstTouch& touch);
 
-/// A touch of a vertex is one of both segments that meet there, at the same time; each has found it
-/// by itself, but for rounding. The index of the other one; nothing when the touch is inside.
+/// The other segment at the vertex that a contact names; nothing when it is inside of its segment.
 std::optional<std::size_t> neighbourAt(Feature feature, std::size_t segment, std::size_t size);
 
 }  // namespace footprint_collision_predictor::core

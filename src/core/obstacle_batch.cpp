@@ -15,6 +15,7 @@ void ObstacleBatch::clear() {
   outline_end_.clear();
   outline_edges_.clear();
   largest_acceleration_ = 0;
+  bends_ = false;
 }
 
 void ObstacleBatch::reserve(std::size_t obstacles) {
@@ -43,6 +44,7 @@ void ObstacleBatch::add(const Obstacle& obstacle) {
   bounding_radius.push_back(obstacle.radius() + reach);
   outline_end_.push_back(static_cast<std::uint32_t>(outline_edges_.size()));
   largest_acceleration_ = std::max(largest_acceleration_, m.acceleration.norm());
+  bends_ = bends_ || largest_acceleration_ > 0 || obstacle.disc().radius_rate > 0;
 }
 
 Disc ObstacleBatch::disc(std::size_t i) const {

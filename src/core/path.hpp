@@ -16,10 +16,38 @@ struct PathState {
   Vec2 acceleration;  ///< [m/s^2]
 };
 
-/// v turned by the angle with this cosine and sine.
-inline Vec2 turned(const Vec2& v, double cosine, double sine) {
-  return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
-}
+/// A turn about the origin by an angle [rad], for several vectors.
+class Turn {
+ public:
+  explicit Turn(double angle) : half_(0.5 * angle) {
+    if (angle == 0) return;
+    // Both of the half angle: the displacement needs them too.
+    half_sine_ = std::sin(half_);
+    half_cosine_ = std::cos(half_);
+    sine_ = 2 * half_sine_ * half_cosine_;
+    cosine_ = 1 - 2 * half_sine_ * half_sine_;
+  }
+
+  Vec2 operator()(const Vec2& v) const {
+    return {cosine_ * v.x() - sine_ * v.y(), sine_ * v.x() + cosine_ * v.y()};
+  }
+  Vec2 back(const Vec2& v) const {
+    return {cosine_ * v.x() + sine_ * v.y(), cosine_ * v.y() - sine_ * v.x()};
+  }
+  /// Where something comes that moves on by `way` [m] while it makes this turn evenly. The mean
+  /// direction is that of half the turn, and the chord is shorter than the arc by sin(x) / x: no
+  /// difference of near numbers, however small the turn.
+  Vec2 displacement(const Vec2& way) const {
+    const double shortening = half_sine_ == 0 ? 1 : half_sine_ / half_;
+    return {shortening * (half_cosine_ * way.x() - half_sine_ * way.y()),
+            shortening * (half_sine_ * way.x() + half_cosine_ * way.y())};
+  }
+
+ private:
+  double half_;
+  double half_sine_ = 0, half_cosine_ = 1;
+  double sine_ = 0, cosine_ = 1;
+};
 
 /// Constant acceleration, held for ever: as seen from a body that does not turn.
 class StraightPath {
@@ -54,13 +82,13 @@ class PathSeenFromTurningBody {
 
   PathState at(double t) const {
     const double w = body_.angular;
-    const double cosine = std::cos(w * t), sine = std::sin(w * t);
-    const auto in_body = [&](const Vec2& v) { return turned(v, cosine, -sine); };
+    const Turn turn(w * t);
     PathState state;
-    state.position = in_body(motion_.positionAt(t) - displacement(body_, t));
-    const Vec2 velocity = in_body(motion_.velocityAt(t));  // over ground
+    state.position = turn.back(motion_.positionAt(t) - turn.displacement(t * body_.linear));
+    const Vec2 velocity = turn.back(motion_.velocityAt(t));  // over ground
     state.velocity = velocity - body_.linear - w * leftNormal(state.position);
-    state.acceleration = in_body(motion_.acceleration) - w * leftNormal(velocity + state.velocity);
+    state.acceleration =
+        turn.back(motion_.acceleration) - w * leftNormal(velocity + state.velocity);
     return state;
   }
   double sizeAt(double t) const {
@@ -101,8 +129,10 @@ class PathOfTurningPoint {
 
   PathState at(double t) const {
     const double w = point_.angular;
-    const Vec2 velocity = turned(point_.linear, std::cos(w * t), std::sin(w * t));
-    return {displacement(point_, t) - seen_from_.positionAt(t), velocity - seen_from_.velocityAt(t),
+    const Turn turn(w * t);
+    const Vec2 velocity = turn(point_.linear);
+    return {turn.displacement(t * point_.linear) - seen_from_.positionAt(t),
+            velocity - seen_from_.velocityAt(t),
             w * leftNormal(velocity) - seen_from_.acceleration};
   }
   double sizeAt(double t) const {

@@ -122,6 +122,25 @@ std::vector<Edge> edgesOf(const std::vector<Vec2>& vertices) {
   return edges;
 }
 
+bool turnsOneWay(const std::vector<Vec2>& vertices, int way) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (orientation(vertices[i], vertices[(i + 1) % n], vertices[(i + 2) % n]) == -way)
+      return false;
+  return true;
+}
+
+std::vector<Side> sidesOf(const std::vector<Edge>& edges, const Vec2& centroid, int winding) {
+  std::vector<Side> sides;
+  for (const Edge& edge : edges) {
+    const Vec2 start = edge.start - centroid;
+    const Vec2 normal = -winding * leftNormal(edge.tangent);
+    sides.push_back(
+        {normal, edge.tangent, normal.dot(start), edge.tangent.dot(start), edge.length});
+  }
+  return sides;
+}
+
 }  // namespace
 
 double signedArea(const std::vector<Vec2>& vertices) {
@@ -148,7 +167,9 @@ Polygon::Polygon(std::vector<Vec2> vertices)
       edges_(edgesOf(vertices_)),
       signed_area_(core::signedArea(vertices_)),
       centroid_(core::centroid(vertices_)),
-      bounding_radius_(farthestFrom(centroid_, vertices_)) {}
+      bounding_radius_(farthestFrom(centroid_, vertices_)),
+      is_convex_(turnsOneWay(vertices_, signed_area_ > 0 ? 1 : -1)),
+      sides_(sidesOf(edges_, centroid_, signed_area_ > 0 ? 1 : -1)) {}
 
 double Polygon::area() const { return std::abs(signed_area_); }
 

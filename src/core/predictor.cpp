@@ -22,12 +22,16 @@ void forEachNear(const Polygon& footprint, const Twist& twist, const ObstacleBat
                  const Horizon& horizon, const Gap& gap, const Visit& visit) {
   std::array<std::size_t, kBlock> candidates;
   const InstructionSet set = widestInstructionSet();
+  const auto sweep = [&](double duration) {
+    return SweptFootprint(footprint, twist, duration,
+                          windowsFor(footprint, twist, duration, obstacles.largestAcceleration()));
+  };
   double swept_for = horizon();
-  SweptFootprint swept(footprint, twist, swept_for, obstacles.largestAcceleration());
+  SweptFootprint swept = sweep(swept_for);
   for (std::size_t begin = 0; begin < obstacles.size(); begin += kBlock) {
     if (horizon() < swept_for) {
       swept_for = horizon();
-      swept = SweptFootprint(footprint, twist, swept_for, obstacles.largestAcceleration());
+      swept = sweep(swept_for);
     }
     const std::size_t end = std::min(begin + kBlock, obstacles.size());
     const std::size_t count = findCandidates(obstacles, begin, end, swept, gap(), set, &candidates);
@@ -46,9 +50,8 @@ std::optional<NearestObstacle> nearestObstacle(const Polygon& footprint,
   std::optional<NearestObstacle> smallest;
   const auto gap = [&] { return smallest ? smallest->nearest.gap : below; };
   const auto now = [] { return 0.0; };
-  const SweptFootprint still(footprint, {}, 0, 0);
   forEachNear(footprint, {}, obstacles, now, gap, [&](std::size_t j) {
-    if (!mayComeWithin(gap(), still, obstacles.disc(j), obstacles.bounding_radius[j])) return;
+    if (!mayComeWithin(gap(), footprint, obstacles.disc(j), obstacles.bounding_radius[j])) return;
     const Nearest nearest = nearestNow(footprint, shapeOf(obstacles, j));
     if (nearest.gap < gap()) smallest = NearestObstacle{j, nearest};
   });
@@ -100,27 +103,9 @@ std::optional<FootprintContact> firstOf(
   if (!first) return std::nullopt;
   const SegmentContact& hit = *contacts[*first];
   FootprintContact contact =
-      contactLater(footprint, twist, shapeOf(obstacles, hit.obstacle), hit.contact, *first);
+      contactLater(footprint, twist, shapeOf(obstacles, hit.obstacle), {hit.contact, *first});
   contact.obstacle = hit.obstacle;
   return contact;
-}
-
-/// The first contact of the footprint with a shape that does not overlap it now, no later than
-/// `horizon`.
-struct SegmentOfContact {
-  Contact contact;
-  std::size_t segment;
-};
-
-std::optional<SegmentOfContact> firstTouch(const Polygon& footprint, const Twist& twist,
-                                           const Shape& shape, double horizon) {
-  std::optional<SegmentOfContact> first;
-  for (std::size_t i = 0; i < footprint.size(); ++i) {
-    const double until = first ? first->contact.time : horizon;
-    const auto contact = contactOf(footprint, i, twist, shape, until);
-    if (contact && (!first || contact->time < until)) first = SegmentOfContact{*contact, i};
-  }
-  return first;
 }
 
 std::optional<ClosestApproach> closestOf(const Polygon& footprint, const Twist& twist,
@@ -131,7 +116,9 @@ std::optional<ClosestApproach> closestOf(const Polygon& footprint, const Twist& 
   ClosestApproach closest{*prediction.clearance, 0};
   const auto ahead = [&] { return horizon; };
   const auto gap = [&] { return closest.distance; };
-  const SweptFootprint swept(footprint, twist, horizon, obstacles.largestAcceleration());
+  const SweptFootprint swept(
+      footprint, twist, horizon,
+      windowsFor(footprint, twist, horizon, obstacles.largestAcceleration()));
   forEachNear(footprint, twist, obstacles, ahead, gap, [&](std::size_t j) {
     if (mayComeWithin(gap(), swept, obstacles.disc(j), obstacles.bounding_radius[j]))
       lower(footprint, twist, shapeOf(obstacles, j), horizon, &closest);
@@ -146,45 +133,44 @@ std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twi
   if (!obstacle.outline().empty())
     return firstContact(footprint, twist, ObstacleBatch({obstacle}), horizon);
   const Shape shape{obstacle.disc(), {}};
-  const SweptFootprint swept(footprint, twist, horizon, obstacle.motion().acceleration.norm());
-  if (!mayComeWithin(0, swept, shape.disc, shape.disc.radius)) return std::nullopt;
-  const SweptFootprint still(footprint, {}, 0, 0);
-  if (mayComeWithin(0, still, shape.disc, shape.disc.radius)) {
+  if (!mayTouch(footprint, twist, shape.disc, horizon)) return std::nullopt;
+  if (mayComeWithin(0, footprint, shape.disc, shape.disc.radius)) {
     const Nearest nearest = nearestNow(footprint, shape);
     if (nearest.gap <= 0) return contactNow(footprint, twist, shape, nearest);
   }
-  const auto touch = firstTouch(footprint, twist, shape, horizon);
+  const auto touch = firstTouch(footprint, twist, shape, horizon, horizon);
   if (!touch) return std::nullopt;
-  return contactLater(footprint, twist, shape, touch->contact, touch->segment);
+  return contactLater(footprint, twist, shape, *touch);
 }
 
 std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
                                              const ObstacleBatch& obstacles, double horizon) {
-  const auto now = nearestObstacle(footprint, obstacles, 0);
-  if (now) {
-    const Shape shape = shapeOf(obstacles, now->obstacle);
-    FootprintContact first = contactNow(footprint, twist, shape, now->nearest);
-    first.obstacle = now->obstacle;
-    return first;
-  }
-  std::optional<SegmentOfContact> first;
+  std::optional<NearestObstacle> now;  // of those that overlap the footprint
+  std::optional<FirstTouch> later;
   std::size_t obstacle = 0;
-  const auto until = [&] { return first ? first->contact.time : horizon; };
-  const auto gap = [] { return 0.0; };
+  const auto until = [&] { return now ? 0 : later ? later->contact.time : horizon; };
+  const auto gap = [&] { return now ? now->nearest.gap : 0; };
   forEachNear(footprint, twist, obstacles, until, gap, [&](std::size_t j) {
-    const auto touch = firstTouch(footprint, twist, shapeOf(obstacles, j), until());
+    const Shape shape = shapeOf(obstacles, j);
+    if (mayComeWithin(0, footprint, shape.disc, obstacles.bounding_radius[j])) {
+      const Nearest nearest = nearestNow(footprint, shape);
+      if (nearest.gap <= 0 && (!now || nearest.gap < gap())) now = NearestObstacle{j, nearest};
+    }
+    if (now) return;
+    const auto touch = firstTouch(footprint, twist, shape, horizon, until());
     if (!touch) return;
-    if (first &&
-        !comesFirst(footprint, obstacles, touch->contact.time, j, first->contact.time, obstacle))
+    if (later &&
+        !comesFirst(footprint, obstacles, touch->contact.time, j, later->contact.time, obstacle))
       return;
-    first = touch;
+    later = touch;
     obstacle = j;
   });
-  if (!first) return std::nullopt;
-  FootprintContact contact =
-      contactLater(footprint, twist, shapeOf(obstacles, obstacle), first->contact, first->segment);
-  contact.obstacle = obstacle;
-  return contact;
+  if (!now && !later) return std::nullopt;
+  const Shape shape = shapeOf(obstacles, now ? now->obstacle : obstacle);
+  FootprintContact first = now ? contactNow(footprint, twist, shape, now->nearest)
+                               : contactLater(footprint, twist, shape, *later);
+  first.obstacle = now ? now->obstacle : obstacle;
+  return first;
 }
 
 void firstContacts(const Polygon& footprint, const Twist& twist, const ObstacleBatch& obstacles,
@@ -200,9 +186,10 @@ void firstContacts(const Polygon& footprint, const Twist& twist, const ObstacleB
   const auto gap = [] { return 0.0; };
   forEachNear(footprint, twist, obstacles, until, gap, [&](std::size_t j) {
     const Shape shape = shapeOf(obstacles, j);
+    const NarrowPhase narrow(footprint, twist, shape, horizon);
     for (std::size_t i = 0; i < footprint.size(); ++i) {
-      const auto contact = contactOf(footprint, i, twist, shape, horizon);
       auto& known = (*contacts)[i];
+      const auto contact = narrow.contactOf(i, known ? known->contact.time : horizon);
       if (contact && (!known || comesFirst(footprint.segment(i), obstacles, *contact, j, *known)))
         known = SegmentContact{*contact, j};
     }

@@ -113,23 +113,22 @@ std::optional<Vec2> crossingNow(const Edge& edge, const Shape& shape) {
 
 Vec2 nearestOf(const Shape& shape, const Twist& footprint, double dt, const Vec2& p,
                std::optional<Vec2>* edge_direction) {
-  const double angle = footprint.angular * dt;
-  const double cosine = std::cos(angle), sine = std::sin(angle);
-  const Vec2 moved = shape.disc.motion.positionAt(dt) - displacement(footprint, dt);
-  const Vec2 centre = turned(moved, cosine, -sine);
+  const Turn turn(footprint.angular * dt);
+  const Vec2 centre =
+      turn.back(shape.disc.motion.positionAt(dt) - turn.displacement(dt * footprint.linear));
   if (shape.outline.size == 0) return centre;
   // In the axes of the outline, about its centre.
-  const Vec2 local = turned(p - centre, cosine, sine);
+  const Vec2 local = turn(p - centre);
   Vec2 nearest = shape.outline.first->start;
   for (const Edge& edge : shape.outline) {
     const Vec2 point = closestPoint(edge, local);
     if ((point - local).norm() > (nearest - local).norm()) continue;
     nearest = point;
     *edge_direction = featureOf(edge, point) == Feature::kInside
-                          ? std::make_optional(turned(edge.tangent, cosine, -sine))
+                          ? std::make_optional(turn.back(edge.tangent))
                           : std::nullopt;
   }
-  return centre + turned(nearest, cosine, -sine);
+  return centre + turn.back(nearest);
 }
 
 Feature featureOf(const Segment& segment, const Vec2& point) {

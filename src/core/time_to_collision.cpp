@@ -9,17 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "advancement.hpp"
 #include "edge_contact.hpp"
+#include "rounding.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
-
-// Each of the some ten operations from the input to a gap errs by at most half an epsilon of the
-// terms summed up in contactTolerance(); half of 32 leaves room for both the gap and the root.
-constexpr double kRoundingAllowance = 32 * std::numeric_limits<double>::epsilon();
 
 // The touch of an end converges quadratically; a path that comes to rest on it within rounding is
 // the slow case, a factor 3/4 a step, and takes less than 100 steps.
@@ -28,13 +24,20 @@ constexpr int kMaxSteps = 200;
 // Window of the next step, in lengths of the last one.
 constexpr double kWindow = 8;
 
-// What is left of the gap [m] when a segment that turns counts as touched, beside rounding.
-constexpr double kTurningTolerance = 1e-9;
+// Turning takes some 3 steps, and less than 1000 in a graze that lasts.
+constexpr std::size_t kMostSteps = 100000;
 
 Disc relativeTo(const Vec2& point, const Disc& disc) {
   return {{disc.motion.position - point, disc.motion.velocity, disc.motion.acceleration},
           disc.radius,
           disc.radius_rate};
+}
+
+Edge fromStart(const Edge& edge) {
+  Edge local = edge;
+  local.start.setZero();
+  local.end = edge.end - edge.start;
+  return local;
 }
 
 /// c + b t + a t^2.
@@ -44,11 +47,6 @@ struct Quadratic {
   double c;
 
   double at(double t) const { return c + t * (b + t * a); }
-  /// Smallest value in [0, horizon].
-  double lowest(double horizon) const {
-    if (b < 0 && a > 0 && -b < 2 * a * horizon) return c - b * b / (4 * a);
-    return std::min(c, at(horizon));
-  }
 };
 
 Quadratic operator+(const Quadratic& x, const Quadratic& y) {
@@ -184,22 +182,21 @@ std::optional<double> timeToTouchInside(const Edge& edge, const Disc& disc, cons
   return first;
 }
 
-/// Whether the centre stays on one side of the box around all points within reach of the segment.
-bool staysBeside(const Edge& edge, const InEdgeFrame& f, const Quadratic& reach, double horizon) {
-  const Quadratic beyond = f.along - Quadratic{0, 0, edge.length};
-  return (f.across - reach).lowest(horizon) > 0 || (-f.across - reach).lowest(horizon) > 0 ||
-         (-f.along - reach).lowest(horizon) > 0 || (beyond - reach).lowest(horizon) > 0;
-}
-
 std::optional<double> earliest(const std::optional<double>& a, const std::optional<double>& b) {
   if (a && b) return std::min(*a, *b);
   return a ? a : b;
 }
 
+/// With acceleration most questions are answered by a few steps of advancement. What is not, a
+/// graze or nearly one, is asked the three questions.
 std::optional<double> timeToTouchAccelerating(const Edge& edge, const Disc& disc, double horizon) {
+  constexpr std::size_t kFewSteps = 8;
   const InEdgeFrame f = inEdgeFrame(edge, disc);
-  if (isTouching(edge, disc, f.allowance, 0)) return 0;
-  if (staysBeside(edge, f, radiusOf(disc) + f.allowance, horizon)) return std::nullopt;
+  const auto slack = [&](double t) { return f.allowance.at(t); };
+  const Advance advance = advanceToContact(EdgeBody{fromStart(edge)}, StraightPath(disc.motion),
+                                           disc, horizon, slack, kFewSteps);
+  if (advance.outcome == Advance::kNoContact) return std::nullopt;
+  if (advance.outcome == Advance::kContact) return advance.time;
   const auto time = earliest(timeToTouchEnd(disc, horizon),
                              timeToTouchEnd(relativeTo(edge.end - edge.start, disc), horizon));
   return earliest(time, timeToTouchInside(edge, disc, f, horizon));
@@ -239,15 +236,17 @@ auto toleranceOf(const Path& path, const Edge& edge, const Disc& disc) {
   };
 }
 
-Edge fromStart(const Edge& edge) {
-  Edge local = edge;
-  local.start.setZero();
-  local.end = edge.end - edge.start;
-  return local;
+template <typename Path, typename Tolerance>
+std::optional<double> timeToTouchTurning(const Edge& edge, const Path& path, const Disc& disc,
+                                         double horizon, const Tolerance& tolerance) {
+  const EdgeBody body{edge};
+  const Advance advance = advanceToContact(body, path, disc, horizon, tolerance, kMostSteps);
+  // Undecided is never later than the contact.
+  return advance.outcome == Advance::kNoContact ? std::nullopt : std::make_optional(advance.time);
 }
 
-/// \param position of the centre relative to the segment's start
-/// \param slack [m] within which an end is named
+}  // namespace
+
 Contact contactAt(const Segment& segment, const Vec2& position, double t, double slack) {
   const Vec2 along = closestPoint({Vec2::Zero(), segment.end - segment.start}, position);
   if (along.norm() <= slack) return {t, Feature::kStart, segment.start};
@@ -255,8 +254,6 @@ Contact contactAt(const Segment& segment, const Vec2& position, double t, double
     return {t, Feature::kEnd, segment.end};
   return {t, Feature::kInside, segment.start + along};
 }
-
-}  // namespace
 
 double contactTolerance(const Segment& segment, const Disc& disc, double t) {
   return std::max(allowance(relativeTo(segment.start, disc)).at(t),
@@ -291,7 +288,7 @@ std::optional<Contact> timeToCollision(const Edge& edge, const Twist& twist, con
   const Disc local = relativeTo(edge.start, disc);
   const PathSeenFromTurningBody path(local.motion, atPoint(edge.start, twist));
   const auto tolerance = toleranceOf(path, edge, disc);
-  const auto time = advanceToContact(fromStart(edge), path, local, horizon, tolerance);
+  const auto time = timeToTouchTurning(fromStart(edge), path, local, horizon, tolerance);
   if (!time) return std::nullopt;
   return contactAt(edge, path.at(*time).position, *time, tolerance(*time));
 }
@@ -310,7 +307,7 @@ std::optional<double> timeToTouchPoint(const Vec2& point, const Twist& twist, co
     return contact ? std::make_optional(contact->time) : std::nullopt;
   }
   const PathOfTurningPoint path(seen_from, of_point);
-  return advanceToContact(local, path, disc, horizon, toleranceOf(path, edge, disc));
+  return timeToTouchTurning(local, path, disc, horizon, toleranceOf(path, edge, disc));
 }
 
 }  // namespace footprint_collision_predictor::core

@@ -1,0 +1,23 @@
+// A disc against a convex footprint as a whole: quicker than segment by segment.
+#pragma once
+
+#include <optional>
+
+#include "footprint_collision_predictor/polygon.hpp"
+#include "narrow_phase.hpp"
+
+namespace footprint_collision_predictor::core {
+
+/// The first touch, or that there is none, or that a look at each segment is needed.
+struct ConvexAnswer {
+  bool is_certain;
+  std::optional<FirstTouch> touch;
+};
+
+/// \param footprint that is convex
+/// \param disc over ground, that does not overlap the footprint now
+/// \param until a touch later than that [s] is not of interest
+ConvexAnswer firstTouchOfConvex(const Polygon& footprint, const Twist& twist, const Disc& disc,
+                                double horizon, double until);
+
+}  // namespace footprint_collision_predictor::core
