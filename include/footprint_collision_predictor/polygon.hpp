@@ -33,14 +33,23 @@ double signedArea(const std::vector<Vec2>& vertices);
 /// \throws InvalidPolygon when the area is 0.
 Vec2 centroid(const std::vector<Vec2>& vertices);
 
-/// A segment of a footprint as seen from the centroid, where coordinates are small. The point of
-/// the segment `along` it lies at offset normal + (start + along) tangent.
-struct Side {
-  Vec2 normal;    ///< unit vector out of the footprint
-  Vec2 tangent;   ///< unit vector from the segment's start to its end
-  double offset;  ///< [m] of the segment's line along the normal
-  double start;   ///< [m] of the segment's start along the tangent
-  double length;  ///< [m]
+/// The segments as seen from the centroid, where coordinates are small; a value for each.
+struct Sides {
+  std::vector<double> normal_x, normal_y;  ///< unit vector out of the footprint
+  std::vector<double> offset;              ///< [m] of the segment's line along the normal
+  std::vector<double> start;               ///< [m] of the segment's start along its direction
+  std::vector<double> length;              ///< [m]
+  double winding;                          ///< 1 counter-clockwise, -1 clockwise
+
+  Vec2 normal(std::size_t i) const { return {normal_x[i], normal_y[i]}; }
+  /// How far [m] a point lies outside of side i.
+  double across(std::size_t i, const Vec2& p) const {
+    return normal_x[i] * p.x() + normal_y[i] * p.y() - offset[i];
+  }
+  /// How far [m] a point lies along side i, from its start.
+  double along(std::size_t i, const Vec2& p) const {
+    return winding * (normal_x[i] * p.y() - normal_y[i] * p.x()) - start[i];
+  }
 };
 
 /// A valid footprint. Segment i runs from vertex i to vertex i + 1 in the order given, the last one
@@ -65,8 +74,7 @@ class Polygon {
   const Vec2& centroid() const { return centroid_; }
   /// Whether no vertex turns inwards; straight ones may.
   bool isConvex() const { return is_convex_; }
-  /// One for each segment.
-  const std::vector<Side>& sides() const { return sides_; }
+  const Sides& sides() const { return sides_; }
   /// Distance from the centroid to the farthest vertex [m].
   double boundingRadius() const { return bounding_radius_; }
   /// Whether p lies inside. A point on the boundary may be told either way.
@@ -79,7 +87,7 @@ class Polygon {
   Vec2 centroid_;
   double bounding_radius_;
   bool is_convex_;
-  std::vector<Side> sides_;
+  Sides sides_;
 };
 
 }  // namespace footprint_collision_predictor::core

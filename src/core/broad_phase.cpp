@@ -225,12 +225,21 @@ bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc
 }
 
 bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc, double horizon) {
-  const SweptFootprint coarse(footprint, twist, horizon, 1);
-  if (!mayComeWithin(0, coarse, disc, disc.radius)) return false;
-  const std::size_t windows =
-      windowsFor(footprint, twist, horizon, disc.motion.acceleration.norm());
-  return windows == 1 ||
-         mayComeWithin(0, SweptFootprint(footprint, twist, horizon, windows), disc, disc.radius);
+  const Motion& m = disc.motion;
+  if (twist.angular == 0) {  // most are settled by a single window
+    const Vec2 p = m.position - footprint.centroid();
+    const Vec2 v = m.velocity - twist.linear + 0.5 * horizon * m.acceleration;
+    const double bulge = 0.125 * horizon * horizon * m.acceleration.lpNorm<1>();
+    const double reach = disc.radius + footprint.boundingRadius() * (1 + kGenerous) + bulge;
+    const bool may_touch =
+        disc.radius_rate == 0
+            ? mayTouch<false>(p.x(), p.y(), v.x(), v.y(), reach, 0, horizon)
+            : mayTouch<true>(p.x(), p.y(), v.x(), v.y(), reach, disc.radius_rate, horizon);
+    if (!may_touch) return false;
+    if (bulge == 0) return true;
+  }
+  const std::size_t windows = windowsFor(footprint, twist, horizon, m.acceleration.norm());
+  return mayComeWithin(0, SweptFootprint(footprint, twist, horizon, windows), disc, disc.radius);
 }
 
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {

@@ -13,84 +13,160 @@ namespace {
 constexpr ConvexAnswer kUncertain{false, std::nullopt};
 constexpr ConvexAnswer kNever{true, std::nullopt};
 
-double alongAt(const Side& side, const Vec2& p) { return side.tangent.dot(p) - side.start; }
-
-/// Whether a point beyond an end of side i is beyond the end of its neighbour there too: then the
-/// vertex between them is what is nearest.
-bool isNearestToVertex(const std::vector<Side>& sides, std::size_t i, const Vec2& p) {
-  const std::size_t n = sides.size();
-  if (alongAt(sides[i], p) > 0) return alongAt(sides[(i + 1) % n], p) <= 0;
-  const Side& before = sides[(i + n - 1) % n];
-  return alongAt(before, p) >= before.length;
+/// \param slack [m] within which an end is named
+ConvexAnswer touchAt(const Edge& edge, std::size_t i, double along, double t, double slack) {
+  if (along <= slack) return {true, FirstTouch{{t, Feature::kStart, edge.start}, i}};
+  if (along >= edge.length - slack) return {true, FirstTouch{{t, Feature::kEnd, edge.end}, i}};
+  return {true, FirstTouch{{t, Feature::kInside, edge.start + along * edge.tangent}, i}};
 }
 
-/// Straight motion: the way of the centre is clipped against all sides moved out by the radius
-/// (Cyrus and Beck, 1978). It enters through one of them. Between its ends that is the touch;
-/// beyond an end, as long as the vertex there is nearest, nothing but that vertex can be touched,
-/// since between two vertices the way would have to leave. The time is then that of the one
-/// segment.
-ConvexAnswer clip(const Polygon& footprint, const Disc& disc, double horizon, double until) {
-  const std::vector<Side>& sides = footprint.sides();
+/// Whether vertex i is what is nearest to a point outside: beyond both sides that meet there.
+bool isNearest(const Sides& sides, std::size_t i, const Vec2& p) {
+  const std::size_t n = sides.offset.size();
+  const std::size_t before = (i + n - 1) % n;
+  return sides.along(i, p) <= 0 && sides.along(before, p) >= sides.length[before];
+}
+
+// So many sides are gone through at once, without a branch: what decides is different for each.
+constexpr std::size_t kAtOnce = 16;
+
+/// A disc that moves straight, about the footprint's centroid, with half of what rounding may
+/// amount to as part of its radius.
+struct StraightDisc {
+  Vec2 p, v;
+  double reach, rate;
+  double rounding;  ///< [m] the other half
+};
+
+StraightDisc straightDisc(const Polygon& footprint, const Disc& disc, double horizon) {
   const Vec2 p = disc.motion.position - footprint.centroid();
   const Vec2& v = disc.motion.velocity;
   const double size = p.lpNorm<1>() + disc.radius + 2 * footprint.boundingRadius() +
                       horizon * (v.lpNorm<1>() + disc.radius_rate);
-  const double reach = disc.radius + kGenerous * size;
-  double enter = -1, leave = until;
-  std::size_t entered = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Side& side = sides[i];
-    const double gap = side.normal.dot(p) - side.offset - reach;
-    const double closing = disc.radius_rate - side.normal.dot(v);
-    if (gap > 0) {
-      if (gap > closing * leave) return kNever;
+  const double half = kRoundingAllowance / 2 * size;
+  return {p, v, disc.radius + half, disc.radius_rate, half};
+}
+
+/// Where the way of the centre runs through all sides moved out by the radius.
+struct Passage {
+  double enter;      ///< [s] -1 when it starts within
+  double leave;      ///< [s]
+  std::size_t side;  ///< through which it enters
+};
+
+/// Clipping after Cyrus and Beck (1978); the sides move out as the disc grows. Without branches,
+/// for what they decide is different for each side.
+Passage passageOf(const StraightDisc& disc, const Sides& sides, double horizon) {
+  const double* normal_x = sides.normal_x.data();
+  const double* normal_y = sides.normal_y.data();
+  const double* offset = sides.offset.data();
+  const double px = disc.p.x(), py = disc.p.y(), vx = disc.v.x(), vy = disc.v.y();
+  Passage passage{-1, horizon, 0};
+  for (std::size_t begin = 0; begin < sides.offset.size(); begin += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, sides.offset.size() - begin);
+    double enter[kAtOnce], leave[kAtOnce];
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = normal_x[begin + i], y = normal_y[begin + i];
+      const double gap = x * px + y * py - offset[begin + i] - disc.reach;
+      const double closing = disc.rate - (x * vx + y * vy);
       const double t = gap / closing;
-      if (t > enter) {
-        enter = t;
-        entered = i;
-      }
-    } else if (gap > closing * leave) {
-      leave = gap / closing;
+      const double reached = closing > 0 ? t : HUGE_VAL;  // never, when it does not close
+      const double left = closing < 0 ? t : HUGE_VAL;
+      enter[i] = gap > 0 ? reached : -1;
+      leave[i] = gap > 0 ? HUGE_VAL : left;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      passage.side = enter[i] > passage.enter ? begin + i : passage.side;
+      passage.enter = enter[i] > passage.enter ? enter[i] : passage.enter;
+      passage.leave = leave[i] < passage.leave ? leave[i] : passage.leave;
     }
   }
-  if (enter > leave) return kNever;
-  if (enter < 0) return kUncertain;
-  const Vec2 at = p + enter * v;
-  const double along = alongAt(sides[entered], at);
-  const bool is_inside = along >= 0 && along <= sides[entered].length;
-  if (!is_inside && !isNearestToVertex(sides, entered, at)) return kUncertain;
-  const auto contact = timeToCollision(footprint.segment(entered), disc, horizon);
-  if (!contact) return kUncertain;
-  return {true, FirstTouch{*contact, entered}};
+  return passage;
+}
+
+std::size_t nearestVertex(const Polygon& footprint, const Vec2& p) {
+  const auto nearer = [&](const Vec2& a, const Vec2& b) {
+    return (a - p).squaredNorm() < (b - p).squaredNorm();
+  };
+  const std::vector<Vec2>& vertices = footprint.vertices();
+  return static_cast<std::size_t>(std::min_element(vertices.begin(), vertices.end(), nearer) -
+                                  vertices.begin());
+}
+
+/// Straight motion. Where the way enters between the ends of a side, it touches. Beyond an end, as
+/// long as the vertex there is what is nearest, nothing but this vertex can be touched: to come to
+/// another the way would have to leave.
+ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until, double horizon) {
+  const Sides& sides = footprint.sides();
+  const StraightDisc disc = straightDisc(footprint, relative, horizon);
+  const Passage passage = passageOf(disc, sides, until);
+  if (passage.enter > passage.leave) return kNever;
+  std::size_t vertex = 0;
+  if (passage.enter >= 0) {
+    const std::size_t i = passage.side;
+    const double along = sides.along(i, disc.p + passage.enter * disc.v);
+    if (along >= 0 && along <= sides.length[i])
+      return touchAt(footprint.segment(i), i, along, passage.enter, disc.rounding);
+    vertex = along < 0 ? i : (i + 1) % footprint.size();
+  } else {
+    vertex = nearestVertex(footprint, relative.motion.position);
+  }
+  if (!isNearest(sides, vertex, disc.p + std::max(passage.enter, 0.0) * disc.v)) return kUncertain;
+  const Edge& edge = footprint.segment(vertex);
+  const Vec2 q = disc.p - (edge.start - footprint.centroid());
+  if (const auto time = timeToReach(q, disc.v, disc.reach, disc.rate, until))
+    return {true, FirstTouch{{*time, Feature::kStart, edge.start}, vertex}};
+  // A miss by less than rounding may be a touch of a neighbour by more.
+  return timeToReach(q, disc.v, disc.reach + disc.rounding, disc.rate, until) ? kUncertain : kNever;
 }
 
 /// The footprint as a body, about its centroid.
 class ConvexBody {
  public:
-  explicit ConvexBody(const std::vector<Side>& sides) : sides_(sides) {}
+  explicit ConvexBody(const Sides& sides) : sides_(sides) {}
 
   /// \param p outside
   Away awayFrom(const Vec2& p) const {
     std::size_t nearest = 0;
-    double smallest = HUGE_VAL, nearest_beyond = 0, nearest_across = 0;
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      const double across = sides_[i].normal.dot(p) - sides_[i].offset;
-      const double along = alongAt(sides_[i], p);
-      const double beyond = along - std::clamp(along, 0.0, sides_[i].length);
-      const double square = across * across + beyond * beyond;
-      if (square >= smallest) continue;
-      smallest = square;
-      nearest = i;
-      nearest_beyond = beyond;
-      nearest_across = across;
+    double smallest = HUGE_VAL;
+    for (std::size_t begin = 0; begin < sides_.offset.size(); begin += kAtOnce) {
+      const std::size_t count = std::min(kAtOnce, sides_.offset.size() - begin);
+      double squares[kAtOnce];
+      squaredDistances(p, begin, count, squares);
+      for (std::size_t i = 0; i < count; ++i) {
+        nearest = squares[i] < smallest ? begin + i : nearest;
+        smallest = squares[i] < smallest ? squares[i] : smallest;
+      }
     }
-    const Side& side = sides_[nearest];
-    return {nearest_across * side.normal + nearest_beyond * side.tangent, nearest_beyond != 0,
-            nearest};
+    const double beyond = beyondEnd(sides_.along(nearest, p), sides_.length[nearest]);
+    const Vec2 normal = sides_.normal(nearest);
+    return {sides_.across(nearest, p) * normal + beyond * sides_.winding * leftNormal(normal),
+            beyond != 0, nearest};
   }
 
  private:
-  const std::vector<Side>& sides_;
+  static double beyondEnd(double along, double length) {
+    const double after = along > length ? along - length : 0;
+    return along < 0 ? along : after;
+  }
+
+  void squaredDistances(const Vec2& p, std::size_t begin, std::size_t count,
+                        double* squares) const {
+    const double* normal_x = sides_.normal_x.data() + begin;
+    const double* normal_y = sides_.normal_y.data() + begin;
+    const double* offset = sides_.offset.data() + begin;
+    const double* start = sides_.start.data() + begin;
+    const double* length = sides_.length.data() + begin;
+    const double px = p.x(), py = p.y(), winding = sides_.winding;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double across = normal_x[i] * px + normal_y[i] * py - offset[i];
+      const double along = winding * (normal_x[i] * py - normal_y[i] * px) - start[i];
+      const double beyond = beyondEnd(along, length[i]);
+      squares[i] = across * across + beyond * beyond;
+    }
+  }
+
+  const Sides& sides_;
 };
 
 /// Any other motion: advancement of the whole. \param path of the centre about the centroid
@@ -123,7 +199,7 @@ ConvexAnswer firstTouchOfConvex(const Polygon& footprint, const Twist& twist, co
                    disc, until, kTurningTolerance);
   if (m.acceleration != Vec2::Zero())
     return advance(footprint, StraightPath(relativeMotion(local, twist)), disc, until, 0);
-  return clip(footprint, {relativeMotion(m, twist), disc.radius, disc.radius_rate}, horizon, until);
+  return clip(footprint, {relativeMotion(m, twist), disc.radius, disc.radius_rate}, until, horizon);
 }
 
 }  // namespace footprint_collision_predictor::core

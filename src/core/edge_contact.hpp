@@ -14,9 +14,14 @@ std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, doubl
 std::optional<Contact> timeToCollision(const Edge& edge, const Twist& twist, const Disc& disc,
                                        double horizon);
 
-/// \param position [m] of the disc's centre relative to the segment's start, at its contact at t
+/// \param position [m] of the disc's centre relative to the edge's start, at its contact at t
 /// \param slack [m] within which an end is named
-Contact contactAt(const Segment& segment, const Vec2& position, double t, double slack);
+Contact contactAt(const Edge& edge, const Vec2& position, double t, double slack);
+
+/// Earliest t in [0, horizon] at which a point that moves evenly is within a growing reach of the
+/// origin.
+std::optional<double> timeToReach(const Vec2& position, const Vec2& velocity, double reach,
+                                  double reach_rate, double horizon);
 
 /// Earliest t in [0, horizon] at which an edge of an obstacle's outline, rounded by the disc's
 /// radius, touches a point of the footprint. \param point [m] in the footprint's frame \param twist

@@ -130,13 +130,17 @@ bool turnsOneWay(const std::vector<Vec2>& vertices, int way) {
   return true;
 }
 
-std::vector<Side> sidesOf(const std::vector<Edge>& edges, const Vec2& centroid, int winding) {
-  std::vector<Side> sides;
+Sides sidesOf(const std::vector<Edge>& edges, const Vec2& centroid, double winding) {
+  Sides sides;
+  sides.winding = winding;
   for (const Edge& edge : edges) {
     const Vec2 start = edge.start - centroid;
     const Vec2 normal = -winding * leftNormal(edge.tangent);
-    sides.push_back(
-        {normal, edge.tangent, normal.dot(start), edge.tangent.dot(start), edge.length});
+    sides.normal_x.push_back(normal.x());
+    sides.normal_y.push_back(normal.y());
+    sides.offset.push_back(normal.dot(start));
+    sides.start.push_back(edge.tangent.dot(start));
+    sides.length.push_back(edge.length);
   }
   return sides;
 }

@@ -189,9 +189,9 @@ std::optional<double> earliest(const std::optional<double>& a, const std::option
 
 /// With acceleration most questions are answered by a few steps of advancement. What is not, a
 /// graze or nearly one, is asked the three questions.
-std::optional<double> timeToTouchAccelerating(const Edge& edge, const Disc& disc, double horizon) {
+std::optional<double> timeToTouchAccelerating(const Edge& edge, const Disc& disc,
+                                              const InEdgeFrame& f, double horizon) {
   constexpr std::size_t kFewSteps = 8;
-  const InEdgeFrame f = inEdgeFrame(edge, disc);
   const auto slack = [&](double t) { return f.allowance.at(t); };
   const Advance advance = advanceToContact(EdgeBody{fromStart(edge)}, StraightPath(disc.motion),
                                            disc, horizon, slack, kFewSteps);
@@ -204,9 +204,10 @@ std::optional<double> timeToTouchAccelerating(const Edge& edge, const Disc& disc
 
 /// Without acceleration one question is enough. Whatever touches the segment lies in the strip of
 /// all points within reach of its line. The centre enters that once: between the ends it touches
-/// there and then; beyond an end it cannot come between the ends without having touched this one.
-std::optional<double> timeToTouchStraight(const Edge& edge, const Disc& disc, double horizon) {
-  const InEdgeFrame f = inEdgeFrame(edge, disc);
+/// there and then; beyond an end it cannot come between the ends without having touched this one,
+/// which takes a single step.
+std::optional<double> timeToTouchStraight(const Edge& edge, const Disc& disc, const InEdgeFrame& f,
+                                          double horizon) {
   const Quadratic slack = half(f.allowance);
   const Quadratic reach = radiusOf(disc) + slack;
   const Quadratic gap = (f.across.c < 0 ? -f.across : f.across) - reach;
@@ -219,8 +220,10 @@ std::optional<double> timeToTouchStraight(const Edge& edge, const Disc& disc, do
   const double beyond = along - edge.length;
   if (along >= -slack.at(entry) && beyond <= slack.at(entry)) return entry;
   const bool at_start = along < 0;
-  const auto end = at_start ? disc : relativeTo(edge.end - edge.start, disc);
-  if (const auto time = timeToTouchEnd(end, horizon)) return time;
+  const Vec2 position =
+      at_start ? disc.motion.position : Vec2(disc.motion.position - (edge.end - edge.start));
+  if (const auto time = timeToReach(position, disc.motion.velocity, reach.c, reach.b, horizon))
+    return time;
   // In a graze the end may be touched by less than rounding, and the inside by more thereafter.
   const double to_inside = (at_start ? -f.along.c : edge.length - f.along.c) / f.along.b;
   const bool comes_in = to_inside >= entry && to_inside <= horizon;  // false for NaN
@@ -247,12 +250,18 @@ std::optional<double> timeToTouchTurning(const Edge& edge, const Path& path, con
 
 }  // namespace
 
-Contact contactAt(const Segment& segment, const Vec2& position, double t, double slack) {
-  const Vec2 along = closestPoint({Vec2::Zero(), segment.end - segment.start}, position);
-  if (along.norm() <= slack) return {t, Feature::kStart, segment.start};
-  if ((along - (segment.end - segment.start)).norm() <= slack)
-    return {t, Feature::kEnd, segment.end};
-  return {t, Feature::kInside, segment.start + along};
+std::optional<double> timeToReach(const Vec2& position, const Vec2& velocity, double reach,
+                                  double reach_rate, double horizon) {
+  if (position.norm() <= reach) return 0;
+  const auto time = stepTowards(position, velocity, {0, 0}, reach, reach_rate, horizon);
+  return time && *time <= horizon ? time : std::nullopt;
+}
+
+Contact contactAt(const Edge& edge, const Vec2& position, double t, double slack) {
+  const double along = edge.tangent.dot(position);
+  if (along <= slack) return {t, Feature::kStart, edge.start};
+  if (along >= edge.length - slack) return {t, Feature::kEnd, edge.end};
+  return {t, Feature::kInside, edge.start + along * edge.tangent};
 }
 
 double contactTolerance(const Segment& segment, const Disc& disc, double t) {
@@ -266,12 +275,12 @@ std::optional<Contact> timeToCollision(const Segment& segment, const Disc& disc,
 
 std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, double horizon) {
   const Disc local = relativeTo(edge.start, disc);
+  const InEdgeFrame f = inEdgeFrame(edge, local);
   const bool straight = disc.motion.acceleration == Vec2::Zero();
-  const auto time = straight ? timeToTouchStraight(edge, local, horizon)
-                             : timeToTouchAccelerating(edge, local, horizon);
+  const auto time = straight ? timeToTouchStraight(edge, local, f, horizon)
+                             : timeToTouchAccelerating(edge, local, f, horizon);
   if (!time) return std::nullopt;
-  return contactAt(edge, local.motion.positionAt(*time), *time,
-                   contactTolerance(edge, disc, *time));
+  return contactAt(edge, local.motion.positionAt(*time), *time, f.allowance.at(*time));
 }
 
 std::optional<Contact> timeToCollision(const Segment& segment, const Twist& twist, const Disc& disc,
