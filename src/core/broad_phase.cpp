@@ -139,10 +139,12 @@ std::size_t windowsFor(const Polygon& footprint, const Twist& twist, double hori
   const double speed = atPoint(footprint.centroid(), twist).linear.norm();
   const double bulge =
       (std::abs(twist.angular) * speed + obstacle_acceleration) * horizon * horizon / 8;
-  if (bulge == 0) return 1;
-  const double wanted = std::ceil(std::sqrt(2 * bulge / footprint.boundingRadius()));
-  return static_cast<std::size_t>(
-      std::clamp(wanted, 1.0, static_cast<double>(SweptFootprint::kMostWindows)));
+  const double most = 0.5 * footprint.boundingRadius();
+  std::size_t windows = 1;
+  while (windows < SweptFootprint::kMostWindows &&
+         bulge > most * static_cast<double>(windows * windows))
+    ++windows;
+  return windows;
 }
 
 SweptFootprint::SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon,

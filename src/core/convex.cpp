@@ -146,8 +146,9 @@ class ConvexBody {
 
  private:
   static double beyondEnd(double along, double length) {
+    const double before = along < 0 ? along : 0;
     const double after = along > length ? along - length : 0;
-    return along < 0 ? along : after;
+    return before + after;
   }
 
   void squaredDistances(const Vec2& p, std::size_t begin, std::size_t count,
