@@ -24,8 +24,10 @@ constexpr int kMaxSteps = 200;
 // Window of the next step, in lengths of the last one.
 constexpr double kWindow = 8;
 
-// Turning takes some 3 steps, and less than 1000 in a graze that lasts.
-constexpr std::size_t kMostSteps = 100000;
+// Turning takes some 3 steps, or some 10 for each full turn within the horizon. Where a gap of less
+// than a micrometre lasts while the body turns about that very place, a step is as short as 1e-4
+// rad.
+constexpr std::size_t kMostSteps = 10000000;
 
 Disc relativeTo(const Vec2& point, const Disc& disc) {
   return {{disc.motion.position - point, disc.motion.velocity, disc.motion.acceleration},
