@@ -27,7 +27,7 @@ class Search {
   void lower(ClosestApproach* closest) const {
     const double size = path_.sizeAt(horizon_) + edge_.edge.length + disc_.radiusAt(horizon_);
     const double resolution = kResolution + kRounding * size;
-    constexpr std::size_t kMaxSteps = 100000;
+    constexpr std::size_t kMaxSteps = 10000000;
     double t = 0, step = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < kMaxSteps; ++i) {
       const Gap<EdgeBody, Path> gap = gapAt(t);
