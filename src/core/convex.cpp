@@ -31,20 +31,20 @@ bool isNearest(const Sides& sides, std::size_t i, const Vec2& p) {
 constexpr std::size_t kAtOnce = 16;
 
 /// A disc that moves straight, about the footprint's centroid, with half of what rounding may
-/// amount to as part of its radius.
+/// amount to as part of its radius; it grows with the way.
 struct StraightDisc {
   Vec2 p, v;
   double reach, rate;
-  double rounding;  ///< [m] the other half
+  double rounding, rounding_rate;  ///< [m] and [m/s] the other half
 };
 
-StraightDisc straightDisc(const Polygon& footprint, const Disc& disc, double horizon) {
+StraightDisc straightDisc(const Polygon& footprint, const Disc& disc) {
   const Vec2 p = disc.motion.position - footprint.centroid();
   const Vec2& v = disc.motion.velocity;
-  const double size = p.lpNorm<1>() + disc.radius + 2 * footprint.boundingRadius() +
-                      horizon * (v.lpNorm<1>() + disc.radius_rate);
+  const double size = p.lpNorm<1>() + disc.radius + 2 * footprint.boundingRadius();
   const double half = kRoundingAllowance / 2 * size;
-  return {p, v, disc.radius + half, disc.radius_rate, half};
+  const double half_rate = kRoundingAllowance / 2 * (v.lpNorm<1>() + disc.radius_rate);
+  return {p, v, disc.radius + half, disc.radius_rate + half_rate, half, half_rate};
 }
 
 /// Where the way of the centre runs through all sides moved out by the radius.
@@ -96,9 +96,9 @@ std::size_t nearestVertex(const Polygon& footprint, const Vec2& p) {
 /// Straight motion. Where the way enters between the ends of a side, it touches. Beyond an end, as
 /// long as the vertex there is what is nearest, nothing but this vertex can be touched: to come to
 /// another the way would have to leave.
-ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until, double horizon) {
+ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until) {
   const Sides& sides = footprint.sides();
-  const StraightDisc disc = straightDisc(footprint, relative, horizon);
+  const StraightDisc disc = straightDisc(footprint, relative);
   const Passage passage = passageOf(disc, sides, until);
   if (passage.enter > passage.leave) return kNever;
   std::size_t vertex = 0;
@@ -117,7 +117,10 @@ ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until, 
   if (const auto time = timeToReach(q, disc.v, disc.reach, disc.rate, until))
     return {true, FirstTouch{{*time, Feature::kStart, edge.start}, vertex}};
   // A miss by less than rounding may be a touch of a neighbour by more.
-  return timeToReach(q, disc.v, disc.reach + disc.rounding, disc.rate, until) ? kUncertain : kNever;
+  const bool may_touch =
+      timeToReach(q, disc.v, disc.reach + disc.rounding, disc.rate + disc.rounding_rate, until)
+          .has_value();
+  return may_touch ? kUncertain : kNever;
 }
 
 /// The footprint as a body, about its centroid.
@@ -192,7 +195,7 @@ ConvexAnswer advance(const Polygon& footprint, const Path& path, const Disc& dis
 }  // namespace
 
 ConvexAnswer firstTouchOfConvex(const Polygon& footprint, const Twist& twist, const Disc& disc,
-                                double horizon, double until) {
+                                double until) {
   const Motion& m = disc.motion;
   const Motion local{m.position - footprint.centroid(), m.velocity, m.acceleration};
   if (twist.angular != 0)
@@ -200,7 +203,7 @@ ConvexAnswer firstTouchOfConvex(const Polygon& footprint, const Twist& twist, co
                    disc, until, kTurningTolerance);
   if (m.acceleration != Vec2::Zero())
     return advance(footprint, StraightPath(relativeMotion(local, twist)), disc, until, 0);
-  return clip(footprint, {relativeMotion(m, twist), disc.radius, disc.radius_rate}, until, horizon);
+  return clip(footprint, {relativeMotion(m, twist), disc.radius, disc.radius_rate}, until);
 }
 
 }  // namespace footprint_collision_predictor::core

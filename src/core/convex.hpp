@@ -16,8 +16,8 @@ struct ConvexAnswer {
 
 /// \param footprint that is convex
 /// \param disc over ground, that does not overlap the footprint now
-/// \param until a touch later than that [s] is not of interest
+/// \param until [s] a touch later than that is not looked for
 ConvexAnswer firstTouchOfConvex(const Polygon& footprint, const Twist& twist, const Disc& disc,
-                                double horizon, double until);
+                                double until);
 
 }  // namespace footprint_collision_predictor::core

@@ -118,7 +118,7 @@ std::optional<Contact> NarrowPhase::contactWithOutline(const Edge& edge) const {
 std::optional<FirstTouch> firstTouch(const Polygon& footprint, const Twist& twist,
                                      const Shape& shape, double horizon, double until) {
   if (shape.outline.size == 0 && footprint.isConvex()) {
-    const ConvexAnswer answer = firstTouchOfConvex(footprint, twist, shape.disc, horizon, until);
+    const ConvexAnswer answer = firstTouchOfConvex(footprint, twist, shape.disc, until);
     if (answer.is_certain) return answer.touch;
   }
   const NarrowPhase narrow(footprint, twist, shape, horizon);
