@@ -7,9 +7,10 @@
 #include <array>
 #include <cstdio>
 
-#include "generators.hpp"
+#include "growing_generators.hpp"
 #include "guarantee.hpp"
 #include "oracle.hpp"
+#include "turning_generators.hpp"
 
 namespace footprint_collision_predictor::test {
 namespace {
@@ -66,7 +67,7 @@ std::string provenWrong(const Case& c, const Proof& proof) {
   if (!contact) return "";
   if (!(contact->time >= 0 && contact->time <= c.horizon)) return "not a time\n" + asCode(c);
   if (contact->time > latest * (1 + 1e-9)) return "late\n" + asCode(c);
-  const double tolerance = 2 * contactTolerance(c.segment, c.circle, c.radius, contact->time);
+  const double tolerance = 2 * contactTolerance(c.segment, c.disc(), contact->time);
   return isProvenApart(c, contact->time, tolerance) ? "invented\n" + asCode(c) : "";
 }
 
@@ -100,6 +101,36 @@ TEST(IntervalOracle, AgreesFarFromTheOrigin) {
   expectProven("intervals, far origin", {10000, 500000}, 4e-3, [](Random& random) {
     return translated(anyCase(random), random.logUniform(1e3, 1e6) * random.direction());
   });
+}
+
+TEST(IntervalOracle, AgreesOnAGrowingRadius) {
+  expectProven("intervals, growing", {10000, 500000}, 4e-3, growingCase);
+  expectProven("intervals, growing, grazing", {5000, 200000}, 0.1, growingGraze);
+}
+
+/// What is proven of a segment that turns, by the gap in 113 bits at any time before, and then. That
+/// of a point is never below 0.
+std::string wrongProof(const Case& c, const Proof& proof, Random& random) {
+  const Quad rounding = Quad(1e-25 * sizeOfCoordinates(c, c.horizon));
+  const bool is_point = c.radius == 0 && c.radius_rate == 0;
+  if (proof.contact_at && !is_point && trueGap(c, *proof.contact_at) > rounding)
+    return "a gap where contact is proven\n" + asCode(c);
+  for (int i = 0; i < 10 && proof.free_until > 0; ++i) {
+    const double t = proof.free_until * (1 - random.logUniform(1e-12, 1));
+    if (trueGap(c, t) < -rounding) return "touches where all is proven free\n" + asCode(c);
+  }
+  return "";
+}
+
+TEST(IntervalOracle, AgreesOnTurning) {
+  Count count;
+  forEachCase("intervals, turning", kProven, [&](Random& random) {
+    const Case c = random.chance(0.5) ? turningOfEveryKind(random) : turningAndGrowing(random);
+    const Proof proof = prove(c);
+    count.add(proof);
+    return wrongProof(c, proof, random);
+  });
+  count.print("intervals, turning");
 }
 
 }  // namespace

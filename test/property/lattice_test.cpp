@@ -72,12 +72,6 @@ Place anyPlace(Random& random) {
   return place;
 }
 
-/// The motion which at time T is at `centre` with that velocity.
-Motion leadingTo(const Vec2& centre, double time, const Vec2& velocity, const Vec2& acceleration) {
-  return {centre - time * velocity + (0.5 * time * time) * acceleration,
-          velocity - time * acceleration, acceleration};
-}
-
 /// Even integers, never pulling towards the segment.
 Vec2 outwardAcceleration(const Place& place, Random& random) {
   if (random.chance(0.5)) return {0, 0};

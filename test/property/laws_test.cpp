@@ -3,53 +3,25 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
-#include "generators.hpp"
+#include "agreement.hpp"
+#include "growing_generators.hpp"
 #include "guarantee.hpp"
-#include "oracle.hpp"
+#include "turning_generators.hpp"
 
 namespace footprint_collision_predictor::test {
 namespace {
 
-using Answer = std::optional<core::Contact>;
-
+/// Straight or turning, and growing or not.
 Case mixedCase(Random& random) {
-  const double kind = random.uniform(0, 1);
-  if (kind < 0.5) return anyCase(random);
-  return kind < 0.75 ? grazingEnd(random) : touchingNow(random);
-}
-
-bool notLater(const Answer& answer, double time) {
-  return answer && answer->time <= time + 1e-9 * std::max(1.0, time);
-}
-
-/// The other case reported contact at `time`; this one did so later, or not at all. That is right
-/// only in a graze: nothing touches yet, but by a hair.
-bool hairIsLeft(const Case& c, double time) {
-  const Quad gap = trueGap(c, time);
-  return gap > 0 && gap <= Quad(1e-9 * std::max(1.0, sizeOfCoordinates(c, time)));
-}
-
-/// Both touch at the same time or neither does, within the guarantee.
-std::string disagreement(const Case& one, const Answer& a, const Case& other, const Answer& b) {
-  if (!a && !b) return "";
-  const bool fine = (!a || notLater(b, a->time) || hairIsLeft(other, a->time)) &&
-                    (!b || notLater(a, b->time) || hairIsLeft(one, b->time));
-  return fine ? "" : asCode(one) + "\nand\n" + asCode(other);
-}
-
-std::string disagreement(const Case& one, const Case& other) {
-  return disagreement(one, ask(one), other, ask(other));
-}
-
-Case moved(const Case& c, const Eigen::Matrix2d& turn, const Vec2& by) {
-  const Motion& m = c.circle;
-  return {{turn * c.segment.start + by, turn * c.segment.end + by},
-          {turn * m.position + by, turn * m.velocity, turn * m.acceleration},
-          c.radius,
-          c.horizon};
+  using Make = Case (*)(Random&);
+  static const std::array<Make, 8> kKinds{anyCase,      anyCase,      grazingEnd,
+                                          touchingNow,  growingCase,  growingGraze,
+                                          turningOfEveryKind, turningAndGrowing};
+  return kKinds[static_cast<std::size_t>(random.integer(0, 7))](random);
 }
 
 TEST(Law, RigidMotionsAndMirrorsChangeNothing) {
@@ -57,7 +29,7 @@ TEST(Law, RigidMotionsAndMirrorsChangeNothing) {
     const Case c = mixedCase(random);
     Eigen::Matrix2d turn = Eigen::Rotation2Dd(random.angle()).toRotationMatrix();
     if (random.chance(0.5)) turn.col(0) = -turn.col(0);
-    return disagreement(c, moved(c, turn, random.uniform(0, 10) * random.direction()));
+    return disagreement(c, fromOtherFrame(c, turn, random.uniform(0, 10) * random.direction()));
   });
 }
 
@@ -71,11 +43,13 @@ TEST(Law, SwappingTheEndsSwapsOnlyTheirNames) {
     const std::string differ = disagreement(c, a, swapped, b);
     if (!differ.empty() || !a || !b || !notLater(b, a->time) || !notLater(a, b->time))
       return differ;
-    // The nearest point moves no faster than the centre.
+    // The nearest point moves no faster than the centre, as seen from the body.
     const double later = std::max(a->time, b->time);
-    const double speed = c.circle.velocity.norm() + later * c.circle.acceleration.norm();
+    const double reach = (c.segment.end - c.segment.start).norm() + c.disc().radiusAt(later);
+    const double speed = c.circle.velocity.norm() + later * c.circle.acceleration.norm() +
+                         startVelocity(c).norm() + std::abs(c.twist.angular) * reach;
     const double moved_by = speed * std::abs(a->time - b->time);
-    const double rounding = 2e-9 * std::max(1.0, sizeOfCoordinates(c, later));
+    const double rounding = 2 * allowedGap(c, later);
     return (a->point - b->point).norm() <= moved_by + rounding ? "" : "other point\n" + asCode(c);
   });
 }
@@ -104,7 +78,8 @@ TEST(Law, ALargerCircleIsNeverLater) {
   forEachCase("larger radius", kLaw, [](Random& random) -> std::string {
     const Case c = mixedCase(random);
     Case larger = c;
-    larger.radius += random.chance(0.2) ? 0 : random.logUniform(1e-16, 1e2);
+    double& what = random.chance(0.5) ? larger.radius : larger.radius_rate;
+    what += random.chance(0.2) ? 0 : random.logUniform(1e-16, 1e2);
     const Answer a = ask(c);
     if (!a || notLater(ask(larger), a->time) || hairIsLeft(larger, a->time)) return "";
     return asCode(c) + "\nand\n" + asCode(larger);

@@ -7,13 +7,11 @@
 namespace footprint_collision_predictor::test {
 namespace {
 
-/// A point of the segment and the direction in which a circle that touches it there lies.
-struct Touch {
-  Vec2 point;
-  Vec2 outwards;
-};
+double anyHorizon(Random& random) { return random.logUniform(0.1, 100); }
 
-Touch touchOf(const Segment& s, Random& random) {
+}  // namespace
+
+Touch anyTouch(const Segment& s, Random& random) {
   const Vec2 along = (s.end - s.start).normalized();
   if (random.chance(0.5))
     return {s.start + random.uniform(0, 1) * (s.end - s.start),
@@ -25,15 +23,17 @@ Touch touchOf(const Segment& s, Random& random) {
 }
 
 double anyRadius(Random& random) { return random.chance(0.1) ? 0 : random.logUniform(1e-2, 1e2); }
-double anyHorizon(Random& random) { return random.logUniform(0.1, 100); }
 
-/// A value that is almost `value`: next to it, exactly it, or off by 1e-15 .. 1e-3 of it.
 double almost(double value, Random& random) {
   if (random.chance(0.3)) return ulpsAway(value, random.integer(-4, 4));
   return value * (1 + random.sign() * random.logUniform(1e-15, 1e-3));
 }
 
-}  // namespace
+Motion leadingTo(const Vec2& position, double time, const Vec2& velocity,
+                 const Vec2& acceleration) {
+  return {position - time * (velocity - (0.5 * time) * acceleration),
+          velocity - time * acceleration, acceleration};
+}
 
 Segment anySegment(Random& random) {
   const double length = random.logUniform(1e-2, 1e2);
@@ -82,8 +82,7 @@ Case grazingEnd(Random& random) {
   Vec2 acceleration = anyVector(random, 1e-9, 10);
   if (random.chance(0.5)) acceleration = random.uniform(-1, 1) * velocity;  // a straight line
   const Vec2 nearest = s.start + almost(radius, random) * outwards;
-  const Vec2 position = nearest - nearest_time * (velocity - (0.5 * nearest_time) * acceleration);
-  return {s, {position, velocity - nearest_time * acceleration, acceleration}, radius, 20};
+  return {s, leadingTo(nearest, nearest_time, velocity, acceleration), radius, 20};
 }
 
 Case osculating(Random& random) {
@@ -101,16 +100,13 @@ Case osculating(Random& random) {
       speed * speed / radius * (random.uniform(-1, 1) * side - bend * outwards);
   const double time = random.uniform(0, 2) * radius / speed;
   const Vec2 centre = s.start + almost(radius, random) * outwards;
-  return {s,
-          {centre - time * (velocity - (0.5 * time) * acceleration), velocity - time * acceleration,
-           acceleration},
-          radius,
+  return {s, leadingTo(centre, time, velocity, acceleration), radius,
           std::min(core::kMaxHorizon, 3 * time)};
 }
 
 Case touchingNow(Random& random) {
   const Segment s = anySegment(random);
-  const Touch touch = touchOf(s, random);
+  const Touch touch = anyTouch(s, random);
   const double radius = anyRadius(random);
   const double gap = random.chance(0.2) ? 0 : random.sign() * random.logUniform(1e-16, 1e-6);
   const Vec2 side = random.sign() * core::leftNormal(touch.outwards);
@@ -126,7 +122,7 @@ Case touchingNow(Random& random) {
 
 Case braking(Random& random) {
   const Segment s = anySegment(random);
-  const Touch touch = touchOf(s, random);
+  const Touch touch = anyTouch(s, random);
   const double radius = anyRadius(random);
   const double gap = random.logUniform(1e-3, 1e2);
   const double deceleration = random.logUniform(1e-12, 1e3);
@@ -142,7 +138,7 @@ Case braking(Random& random) {
 
 Case awayAndBack(Random& random) {
   const Segment s = anySegment(random);
-  const Touch touch = touchOf(s, random);
+  const Touch touch = anyTouch(s, random);
   const double radius = anyRadius(random);
   const double gap = random.chance(0.3) ? 0 : random.logUniform(1e-9, 1e2);
   const double speed = random.logUniform(1e-6, 1e2);
@@ -157,7 +153,7 @@ Case awayAndBack(Random& random) {
 
 Case boomerang(Random& random) {
   const Segment s = anySegment(random);
-  const Touch touch = touchOf(s, random);
+  const Touch touch = anyTouch(s, random);
   const double radius = anyRadius(random);
   const double gap = random.sign() * random.logUniform(1e-16, 1e-3);
   const Vec2 centre = touch.point + (radius + gap) * touch.outwards;
@@ -169,11 +165,7 @@ Case boomerang(Random& random) {
   // Straight back along its way, or along any parabola.
   const Vec2 acceleration =
       random.chance(0.5) ? Vec2{(2 / back) * velocity} : Vec2{speed / back * random.direction()};
-  return {s,
-          {centre - back * (velocity - (0.5 * back) * acceleration), velocity - back * acceleration,
-           acceleration},
-          radius,
-          2 * back};
+  return {s, leadingTo(centre, back, velocity, acceleration), radius, 2 * back};
 }
 
 Case translated(const Case& c, const Vec2& by) {

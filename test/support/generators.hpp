@@ -12,6 +12,24 @@ Segment anySegment(Random& random);
 /// A place within reach: either end, a hair beside it, or anywhere between.
 Vec2 pointOn(const Segment& segment, Random& random);
 
+/// A point of the segment and the direction in which a circle that touches it there lies.
+struct Touch {
+  Vec2 point;
+  Vec2 outwards;
+};
+
+/// The inside from either side, or an end, which is left in any direction.
+Touch anyTouch(const Segment& segment, Random& random);
+
+/// 0 in one of ten, else log-uniform in 1e-2 .. 1e2 m.
+double anyRadius(Random& random);
+
+/// A value that is almost `value`: next to it, exactly it, or off by 1e-15 .. 1e-3 of it.
+double almost(double value, Random& random);
+
+/// The motion which at that time is at `position` with that velocity.
+Motion leadingTo(const Vec2& position, double time, const Vec2& velocity, const Vec2& acceleration);
+
 /// Zero in one of three, else log-uniform in [low, high] in any direction.
 Vec2 anyVector(Random& random, double low, double high);
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "interval_turning.hpp"
+
 namespace footprint_collision_predictor::test {
 namespace {
 
 constexpr double kFinest = 0x1p-32;  // [s] 2.3e-10: a bracket may need some such steps
+constexpr int kMostSteps = 3000;     // what slides along by a hair for long is left undecided
 
 /// A disc touches a segment when its centre lies in one of three sets: the discs round the two ends
 /// and the strip between them. Everything is squared, so that no root has to be taken.
@@ -22,15 +25,16 @@ class Prover {
  public:
   Prover(const Segment& segment, const DiscMotion& disc, double horizon)
       : disc_(disc),
-        start_x_(segment.start.x()),
-        start_y_(segment.start.y()),
-        dx_(Interval(segment.end.x()) - start_x_),
-        dy_(Interval(segment.end.y()) - start_y_),
+        dx_(Interval(segment.end.x()) - Interval(segment.start.x())),
+        dy_(Interval(segment.end.y()) - Interval(segment.start.y())),
         length_squared_(square(dx_) + square(dy_)),
         horizon_(horizon) {}
 
   Proof run() {
-    if (explore(0, horizon_) && isTouching(horizon_)) contact_ = horizon_;
+    if (isTouching(0))
+      contact_ = 0;
+    else if (explore(0, horizon_) && isTouching(horizon_))
+      contact_ = horizon_;
     const double free_until = blocked_.value_or(contact_.value_or(horizon_));
     return {free_until, contact_, !blocked_ && !contact_};
   }
@@ -49,8 +53,8 @@ class Prover {
  private:
   Distances distances(const Interval& t) const {
     const DiscOverTime disc = disc_(timeWithin(t));
-    const Jet x = disc.x - Jet{start_x_};
-    const Jet y = disc.y - Jet{start_y_};
+    const Jet& x = disc.x;
+    const Jet& y = disc.y;
     const Jet reach = squared(disc.radius);
     const Jet along = dx_ * x + dy_ * y;
     const Jet side = dx_ * y - dy_ * x;
@@ -78,28 +82,34 @@ class Prover {
            ((before.upper() < 0 && after.lower() > 0) || (before.lower() > 0 && after.upper() < 0));
   }
 
-  /// From left to right. False once a contact is proven. What cannot be decided is passed, in steps
-  /// that grow with the distance from the first such place.
+  /// From left to right, where `low` is known not to touch. False once a contact is proven. What
+  /// cannot be decided is passed, in steps that grow with the distance from the first such place.
   bool explore(double low, double high) {
     if (isFree(low, high)) return true;
-    if (isTouching(low)) {
-      contact_ = low;
-      return false;
-    }
     const double middle = low + 0.5 * (high - low);
-    const double finest = std::max(kFinest, 0.25 * (low - blocked_.value_or(low)));
-    if (high - low <= finest || middle <= low || middle >= high) {
+    if (high - low <= finestStep(low) || middle <= low || middle >= high) {
       if (!blocked_) blocked_ = low;
-      if (!crosses(low, high)) return true;
-      contact_ = high;
-      return false;
+      return !crosses(low, high) || found(high);
     }
-    return explore(low, middle) && explore(middle, high);
+    ++steps_;
+    if (!explore(low, middle)) return false;
+    return isTouching(middle) ? found(middle) : explore(middle, high);
+  }
+
+  double finestStep(double low) const {
+    if (steps_ >= kMostSteps) return horizon_ / 256;
+    return std::max(kFinest, 0.25 * (low - blocked_.value_or(low)));
+  }
+
+  bool found(double contact) {
+    contact_ = contact;
+    return false;
   }
 
   const DiscMotion& disc_;
-  Interval start_x_, start_y_, dx_, dy_, length_squared_;
+  Interval dx_, dy_, length_squared_;
   double horizon_;
+  int steps_ = 0;
   std::optional<double> blocked_;
   std::optional<double> contact_;
 };
@@ -116,16 +126,51 @@ class Prover {
 
 }  // namespace
 
+namespace {
+
+/// p + v t + a t^2 / 2
+Jet onPath(const Interval& p, const Interval& v, double a, const Jet& t) {
+  return Jet{p} + t * (Jet{v} + Interval(a / 2) * t);
+}
+
+/// Both move straight: only the difference of their velocities counts.
+DiscOverTime seenFromStraight(const Case& c, const Jet& t) {
+  const Motion& m = c.circle;
+  const Vec2& start = c.segment.start;
+  const Vec2& u = c.twist.linear;
+  return {onPath(Interval(m.position.x()) - Interval(start.x()),
+                 Interval(m.velocity.x()) - Interval(u.x()), m.acceleration.x(), t),
+          onPath(Interval(m.position.y()) - Interval(start.y()),
+                 Interval(m.velocity.y()) - Interval(u.y()), m.acceleration.y(), t),
+          {}};
+}
+
+/// In the frame that turns, with the start for its origin: R(-w t) (p + v t + a t^2 / 2) less the
+/// integral of R(-w t) u, where u is the velocity of the start. Taken from there nothing is large
+/// where the body's own origin is far away.
+DiscOverTime seenFromArc(const Case& c, const Jet& t) {
+  const Motion& m = c.circle;
+  const Vec2& start = c.segment.start;
+  const Interval w(c.twist.angular);
+  const Interval ux = Interval(c.twist.linear.x()) - w * Interval(start.y());
+  const Interval uy = Interval(c.twist.linear.y()) + w * Interval(start.x());
+  const Jet x = onPath(Interval(m.position.x()) - Interval(start.x()), Interval(m.velocity.x()),
+                       m.acceleration.x(), t);
+  const Jet y = onPath(Interval(m.position.y()) - Interval(start.y()), Interval(m.velocity.y()),
+                       m.acceleration.y(), t);
+  const Turning turn = turningWithin(t.value, c.twist.angular);
+  return {turn.cosine * x + turn.sine * y - ux * turn.forward - uy * turn.sideways,
+          turn.cosine * y - turn.sine * x - uy * turn.forward + ux * turn.sideways,
+          {}};
+}
+
+}  // namespace
+
 DiscMotion motionOf(const Case& c, double more) {
-  const Motion m = c.circle;
-  const double radius = c.radius;
-  return [m, radius, more](const Jet& t) -> DiscOverTime {
-    const auto coordinate = [&t](double p, double v, double a) {
-      return constant(p) + t * (constant(v) + Interval(a / 2) * t);
-    };
-    return {coordinate(m.position.x(), m.velocity.x(), m.acceleration.x()),
-            coordinate(m.position.y(), m.velocity.y(), m.acceleration.y()),
-            constant(radius) + constant(more)};
+  return [c, more](const Jet& t) -> DiscOverTime {
+    DiscOverTime disc = c.twist.angular == 0 ? seenFromStraight(c, t) : seenFromArc(c, t);
+    disc.radius = constant(c.radius) + constant(more) + Interval(c.radius_rate) * t;
+    return disc;
   };
 }
 

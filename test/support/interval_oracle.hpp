@@ -10,7 +10,8 @@
 
 namespace footprint_collision_predictor::test {
 
-/// Centre [m] in the segment's frame, and radius [m] >= 0, over an interval of time.
+/// Centre [m] from the segment's start, along the axes of its frame, and radius [m] >= 0, over an
+/// interval of time.
 struct DiscOverTime {
   Jet x;
   Jet y;
@@ -18,10 +19,10 @@ struct DiscOverTime {
 };
 
 /// A motion, evaluated in jets: `2 + t * v` moves, and so does anything else made of their
-/// operators, a radius that grows as well as a centre that turns.
+/// operators. Intervals must be made within it, where rounding is upwards.
 using DiscMotion = std::function<DiscOverTime(const Jet& time)>;
 
-/// The motion of a case. `more` [m] is added to its radius.
+/// The motion of a case, as seen from its segment. `more` [m] is added to its radius.
 DiscMotion motionOf(const Case& c, double more = 0);
 
 /// What is proven of the first contact. It lies within [free_until, contact_at]; without contact_at

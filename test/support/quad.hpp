@@ -21,4 +21,28 @@ inline Quad squareRoot(Quad x) {
   return root;
 }
 
+struct QuadTurn {
+  Quad sine;
+  Quad cosine;
+};
+
+/// Of an angle of up to 1e6 rad, to about 1e-33 and its own rounding: whole quarters of a turn are
+/// taken off, the rest goes into the power series. Of a small angle, the sine has all its bits.
+inline QuadTurn sineAndCosine(Quad angle) {
+  const Quad quarter = Quad(0x1.921fb54442d18p+0) + Quad(0x1.1a62633145c07p-54) -
+                       Quad(0x1.f1976b7ed8fbcp-110);
+  const double count = std::round(static_cast<double>(angle / quarter));
+  const Quad x = angle - count * quarter;
+  Quad sine = 0, cosine = 0, term = 1;  // term: x^n / n!
+  for (int n = 0; n < 32; n += 4) {
+    cosine += term - term * x * x / ((n + 1) * (n + 2));
+    term *= x / (n + 1);
+    sine += term - term * x * x / ((n + 2) * (n + 3));
+    term *= x * x * x / ((n + 2) * (n + 3) * (n + 4));
+  }
+  const int side = static_cast<int>(std::fmod(count, 4) + 4) % 4;
+  if (side % 2 == 1) return side == 1 ? QuadTurn{cosine, -sine} : QuadTurn{-cosine, sine};
+  return side == 0 ? QuadTurn{sine, cosine} : QuadTurn{-sine, -cosine};
+}
+
 }  // namespace footprint_collision_predictor::test

@@ -138,6 +138,46 @@ std::vector<NamedCase> acceleratedCases() {
   };
 }
 
+Case growing(const Motion& motion, double radius, double rate, double horizon = 10) {
+  return {kLine, motion, radius, horizon, rate};
+}
+
+std::vector<NamedCase> growingCases() {
+  return {
+      hit("grows onto the inside", growing(straight({2, 3}, {0, 0}), 0.5, 0.5), 5, Feature::kInside,
+          {2, 0}),
+      hit("grows onto an end", growing(straight({-3, 4}, {0, 0}), 1, 0.5), 8, Feature::kStart,
+          {0, 0}),
+      hit("grows out of a point", growing(straight({2, -3}, {0, 0}), 0, 1), 3, Feature::kInside,
+          {2, 0}),
+      hit("grows as it comes", growing(straight({2, 5}, {0, -1}), 1, 1), 2, Feature::kInside,
+          {2, 0}),
+      hit("grows as it passes", growing(straight({-6, 4}, {1, 0}), 2, 1), 3, Feature::kStart,
+          {0, 0}),
+      hit("leaves more slowly than it grows", growing(straight({2, 5}, {0, 1}), 1, 3), 2,
+          Feature::kInside, {2, 0}),
+      none("leaves as fast as it grows", growing(straight({2, 5}, {0, 1}), 1, 1)),
+      none("leaves an end faster than it grows", growing(straight({7, 4}, {3, 4}), 4.5, 4.9)),
+      hit("grows as it falls", growing({{2, 5}, {0, 0}, {0, -2}}, 0, 0.5), 2, Feature::kInside,
+          {2, 0}),
+      // Up at first: 1 + 4 t - t^2 above a radius of 0 + t: t^2 - 3 t - 4 = 0 at 4.
+      hit("grows as it goes away and comes back", growing({{2, 4}, {0, 4}, {0, -2}}, 0, 1), 4,
+          Feature::kInside, {2, 0}),
+      hit("stops and grows on", growing({{2, 5}, {0, -4}, {0, 2}}, 0.5, 0.25), 2, Feature::kInside,
+          {2, 0}),
+      hit("touches now, leaves faster than it grows", growing(straight({2, 1}, {0, 2}), 1, 1), 0,
+          Feature::kInside, {2, 0}),
+      hit("rests at its rim while it grows", growing(straight({2, 1}, {0, 1}), 1, 1), 0,
+          Feature::kInside, {2, 0}),
+      hit("exactly at the horizon by growing", growing(straight({2, 3}, {0, 0}), 1, 0.5, 4), 4,
+          Feature::kInside, {2, 0}),
+      none("just after the horizon by growing", growing(straight({2, 3}, {0, 0}), 1, 0.5, 3.999)),
+      // In the strip from t = 3, at x = 8; |(7 - t, 4)| = 1 + t at 4.
+      hit("its strip reaches it beyond the end, then it touches the end", growing(straight({11, 4}, {-1, 0}), 1, 1), 4,
+          Feature::kEnd, {4, 0}),
+  };
+}
+
 std::vector<NamedCase> horizonCases() {
   return {
       hit("exactly at the horizon", {kLine, straight({2, 5}, {0, -2}), 1, 2}, 2, Feature::kInside,
@@ -160,7 +200,8 @@ const std::vector<NamedCase>& namedCases() {
   static const std::vector<NamedCase> kAll = [] {
     std::vector<NamedCase> all;
     for (const auto& part :
-         {insideCases(), endCases(), nowCases(), acceleratedCases(), horizonCases()})
+         {insideCases(), endCases(), nowCases(), acceleratedCases(), growingCases(), horizonCases(),
+          turningCases()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -18,7 +18,11 @@ struct NamedCase {
   bool graze;  ///< touches without crossing: the time is ill-conditioned, metres decide
 };
 
-/// Radius 1 and segment (0, 0) to (4, 0) where nothing else is said; small integers throughout.
+/// All of them. Radius 1 and segment (0, 0) to (4, 0) where nothing else is said; small integers
+/// throughout.
 const std::vector<NamedCase>& namedCases();
+
+/// Those in which the segment's body turns.
+std::vector<NamedCase> turningCases();
 
 }  // namespace footprint_collision_predictor::test
