@@ -84,7 +84,7 @@ Vec2 placeWithGap(const FootprintCase& c, double wanted, Random& random) {
   for (int i = 0; i < 40; ++i) {
     const double more = static_cast<double>(standing(c, aim + away * from).gap(0)) - wanted;
     away -= more;
-    if (std::abs(more) < 1e-16 * away) break;
+    if (std::abs(more) < 1e-16 * away || away < 0) break;  // there, or past it
   }
   return aim + away * from;
 }
