@@ -87,17 +87,6 @@ Real gapNow(const Scene& scene, std::size_t obstacle, std::optional<std::size_t>
   return segment ? oracle.gapOfSegment(*segment, 0) : oracle.clearance();
 }
 
-/// Both times are within the guarantee where the gap is a hair at the earlier one.
-bool isGraze(const Scene& scene, std::size_t obstacle, double time,
-             std::optional<std::size_t> segment) {
-  const FootprintCase c = scene.with(obstacle);
-  const FootprintOracle oracle(c);
-  const Real gap = segment ? oracle.gapOfSegment(*segment, time) : oracle.gap(time);
-  const double size = std::max(1.0, sizeOfCoordinates(c, time));
-  const double hair = (scene.twist.angular == 0 ? 1e-9 : 1e-6) * size;
-  return std::abs(gap) <= hair;
-}
-
 std::string wrongTie(const Scene& scene, const Times& alone, std::size_t named,
                      std::optional<std::size_t> segment) {
   for (std::size_t i = 0; i < named; ++i)

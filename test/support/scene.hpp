@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "footprint_generators.hpp"
@@ -18,11 +20,19 @@ struct Scene {
   FootprintCase with(std::size_t obstacle) const;
 };
 
-/// 1 to 2000 obstacles, each with an outline or without. Some are the same as others, some touch at
-/// once; in some scenes nearly all are far away.
-Scene anyScene(Random& random);
+/// 1 to `most` obstacles, each with an outline or without. Some are the same as others, some touch
+/// at once; in some scenes nearly all are far away.
+Scene anyScene(Random& random, int most = 2000);
 
 /// So far away, and leaving, that nothing the footprint does within the horizon leads there.
 core::Obstacle anyOutOfReach(const Scene& scene, Random& random);
+
+/// Two answers to the same question may differ in a graze: when at `time` the gap to the obstacle
+/// is 0 but for what the guarantee allows. Of the footprint when there is no segment.
+bool isGraze(const Scene& scene, std::size_t obstacle, double time,
+             std::optional<std::size_t> segment = {});
+
+/// Every obstacle as asCode() has it.
+std::string asCode(const Scene& scene);
 
 }  // namespace footprint_collision_predictor::test
