@@ -1,0 +1,161 @@
+#include "footprint_generators.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "footprint_oracle.hpp"
+
+namespace footprint_collision_predictor::test {
+namespace {
+
+std::vector<Vec2> anyCorners(Random& random, double size) {
+  const int corners = random.integer(3, 8);
+  const double smallest = random.chance(0.5) ? 0.8 : 0.1;  // of the size: round, or a star
+  std::vector<Vec2> vertices;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * M_PI * (i + random.uniform(0, 0.5)) / corners;
+    vertices.push_back(size * random.uniform(smallest, 1) * Vec2{std::cos(angle), std::sin(angle)});
+  }
+  if (random.chance(0.5)) std::reverse(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+std::vector<Vec2> anyRectangle(Random& random, double size) {
+  const double x = random.uniform(0.3, 1) * size;
+  const double y = random.uniform(0.3, 1) * size;
+  return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+}
+
+Vec2 vec(const Point& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+Vec2 turned(const Vec2& v, double angle) { return Eigen::Rotation2Dd(angle) * v; }
+
+/// Of the footprint's origin over ground.
+Vec2 travelled(const core::Twist& twist, double t) {
+  const double w = twist.angular;
+  if (w == 0) return t * twist.linear;
+  const double half = std::sin(w * t / 2);
+  return std::sin(w * t) / w * twist.linear + 2 * half * half / w * core::leftNormal(twist.linear);
+}
+
+/// How an obstacle moves that is at `place` at time t, with `point` of it passing with `velocity`:
+/// all as seen from the footprint, in its frame.
+core::Motion motionThrough(const Vec2& place, const Vec2& point, const Vec2& velocity, double t,
+                           const core::Twist& twist, const Vec2& acceleration) {
+  const double angle = twist.angular * t;
+  const Vec2 carried = twist.linear + twist.angular * core::leftNormal(point);
+  const Vec2 then = turned(velocity + carried, angle);  // over ground
+  const Vec2 position = travelled(twist, t) + turned(place, angle);
+  return {position - t * (then - (0.5 * t) * acceleration), then - t * acceleration, acceleration};
+}
+
+double anyRadius(Random& random, bool needed) {
+  return random.chance(needed ? 0.1 : 0.4) ? 0 : random.logUniform(1e-2, 5);
+}
+
+Vec2 anyAcceleration(Random& random) { return random.logUniform(1e-6, 5) * random.direction(); }
+
+/// Without the disc's motion.
+FootprintCase anyShapes(Random& random, const Moves& moves) {
+  FootprintCase c;
+  c.footprint = anyFootprint(random);
+  c.twist = anyTwist(random, moves.turns);
+  if (moves.has_outline) c.outline = anyOutline(random);
+  c.disc = {{{0, 0}, {0, 0}, {0, 0}}, anyRadius(random, !moves.has_outline), 0};
+  if (moves.grows) c.disc.radius_rate = random.logUniform(1e-4, 1);
+  c.horizon = random.logUniform(0.1, 20);
+  if (std::abs(c.twist.angular) > 1) c.horizon = std::min(c.horizon, 10 / c.twist.angular);
+  c.horizon = std::abs(c.horizon);
+  return c;
+}
+
+/// The two as they stand when the obstacle is there.
+FootprintOracle standing(FootprintCase c, const Vec2& place) {
+  c.twist = {{0, 0}, 0};
+  c.disc = {{place, {0, 0}, {0, 0}}, c.disc.radius, 0};
+  return FootprintOracle(c);
+}
+
+/// Comes from afar in a straight line until the gap is as wanted.
+Vec2 placeWithGap(const FootprintCase& c, double wanted, Random& random) {
+  const Vec2 from = random.direction();
+  const Vec2 aim = random.uniform(0, 1) * random.direction();
+  double away = 60 + c.disc.radius;
+  for (int i = 0; i < 40; ++i) {
+    const double more = static_cast<double>(standing(c, aim + away * from).gap(0)) - wanted;
+    away -= more;
+    if (std::abs(more) < 1e-16 * away || away < 0) break;  // there, or past it
+  }
+  return aim + away * from;
+}
+
+double anyHair(Random& random) {
+  return random.chance(0.1) ? 0 : random.sign() * random.logUniform(1e-15, 1e-3);
+}
+
+}  // namespace
+
+std::vector<Vec2> anyFootprint(Random& random) {
+  const double size = random.logUniform(0.1, 3);
+  std::vector<Vec2> vertices =
+      random.chance(0.3) ? anyRectangle(random, size) : anyCorners(random, size);
+  const Vec2 middle =
+      random.chance(0.5) ? Vec2(0, 0) : Vec2(random.uniform(0, 3) * random.direction());
+  for (Vec2& v : vertices) v += middle;
+  return vertices;
+}
+
+std::vector<Vec2> anyOutline(Random& random) {
+  const double size = random.logUniform(1e-2, 20);
+  const double kind = random.uniform(0, 1);
+  std::vector<Vec2> vertices;
+  if (kind < 0.4) {
+    const Vec2 half = size * random.direction();
+    vertices = {-half, half};
+  } else {
+    vertices = kind < 0.6 ? anyRectangle(random, size) : anyCorners(random, size);
+  }
+  const bool axis_aligned = random.chance(0.3);
+  const double angle = axis_aligned ? 0 : random.angle();
+  const Vec2 off =
+      random.chance(0.5) ? Vec2(0, 0) : Vec2(random.uniform(0, 5) * random.direction());
+  for (Vec2& v : vertices) v = turned(v, angle) + off;
+  return vertices;
+}
+
+core::Twist anyTwist(Random& random, bool turns) {
+  const Vec2 linear =
+      random.chance(0.2) ? Vec2(0, 0) : Vec2(random.logUniform(1e-3, 5) * random.direction());
+  return {linear, turns ? random.sign() * random.logUniform(1e-4, 10) : 0};
+}
+
+FootprintCase anyFootprintCase(Random& random, const Moves& moves) {
+  FootprintCase c = anyShapes(random, moves);
+  const Vec2 acceleration = moves.accelerates ? anyAcceleration(random) : Vec2(0, 0);
+  const double when = random.uniform(0, 1.2) * c.horizon;
+  const Vec2 aim = random.uniform(0, random.chance(0.8) ? 2 : 20) * random.direction();
+  // Mostly so fast that at t = 0 it was elsewhere.
+  const double speed = random.chance(0.7) ? random.uniform(2, 40) / std::max(when, 0.1)
+                                          : random.logUniform(1e-3, 10);
+  const Vec2 velocity = random.chance(0.05) ? Vec2(0, 0) : Vec2(speed * random.direction());
+  c.disc.motion = motionThrough(aim, aim, velocity, when, c.twist, acceleration);
+  return c;
+}
+
+FootprintCase grazingFootprint(Random& random, const Moves& moves) {
+  FootprintCase c = anyShapes(random, moves);
+  const Vec2 acceleration = moves.accelerates ? anyAcceleration(random) : Vec2(0, 0);
+  const double when = random.uniform(0, 1) * c.horizon;
+  FootprintCase then = c;
+  then.disc.radius = c.disc.radiusAt(when);
+  const Vec2 place = placeWithGap(then, anyHair(random), random);
+  const Line way = standing(then, place).shortestLine(0);
+  const Vec2 outwards = vec(way.end - way.start).normalized();
+  const double inwards = random.chance(0.4) ? 0 : random.sign() * random.logUniform(1e-12, 1);
+  const Vec2 velocity = random.logUniform(1e-3, 10) *
+                        (random.sign() * core::leftNormal(outwards) - inwards * outwards);
+  c.disc.motion = motionThrough(place, vec(way.end), velocity, when, c.twist, acceleration);
+  return c;
+}
+
+}  // namespace footprint_collision_predictor::test

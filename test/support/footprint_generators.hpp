@@ -1,0 +1,35 @@
+// Random footprints among random obstacles, by the kind of trouble they make.
+#pragma once
+
+#include <vector>
+
+#include "footprint_case.hpp"
+#include "random.hpp"
+
+namespace footprint_collision_predictor::test {
+
+/// What the obstacles and the footprint of a suite do.
+struct Moves {
+  bool accelerates = false;
+  bool grows = false;
+  bool turns = false;
+  bool has_outline = false;
+};
+
+/// 3 to 8 corners, convex or not, in either winding, around the origin or beside it.
+std::vector<Vec2> anyFootprint(Random& random);
+
+/// A line, or a polygon with 3 to 8 corners, convex or not, 1e-2 to 20 m large.
+std::vector<Vec2> anyOutline(Random& random);
+
+/// Up to 10 rad/s and 5 m/s, or standing still.
+core::Twist anyTwist(Random& random, bool turns);
+
+/// Everything drawn widely; most obstacles are aimed at the footprint.
+FootprintCase anyFootprintCase(Random& random, const Moves& moves);
+
+/// At some moment the gap is 0 but for 1e-15 .. 1e-3 m, and the nearest points of the two pass each
+/// other: alongside, or closing or parting slowly.
+FootprintCase grazingFootprint(Random& random, const Moves& moves);
+
+}  // namespace footprint_collision_predictor::test

@@ -1,0 +1,87 @@
+#include "footprint_oracle.hpp"
+
+#include <algorithm>
+
+namespace footprint_collision_predictor::test {
+namespace {
+
+/// Whether a ray from p leaves through an odd number of edges.
+bool isInside(const std::vector<Line>& edges, const Point& p) {
+  bool inside = false;
+  for (const Line& e : edges) {
+    if ((e.start.y > p.y) == (e.end.y > p.y)) continue;
+    if ((side(e, p) > 0) == (e.end.y > e.start.y)) inside = !inside;
+  }
+  return inside;
+}
+
+std::vector<Line> edgesOf(const OutlineNow& now) {
+  std::vector<Line> edges;
+  for (std::size_t i = 0; i < now.edges(); ++i) edges.push_back(now.edge(i));
+  return edges;
+}
+
+std::vector<Line> segmentsOf(const std::vector<Vec2>& vertices) {
+  std::vector<Line> segments;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec2& end = vertices[(i + 1) % vertices.size()];
+    segments.push_back({{vertices[i].x(), vertices[i].y()}, {end.x(), end.y()}});
+  }
+  return segments;
+}
+
+}  // namespace
+
+FootprintOracle::FootprintOracle(const FootprintCase& c)
+    : segments_(segmentsOf(c.footprint)), outline_(c), horizon_(c.horizon) {}
+
+Real FootprintOracle::gap(Real t) const { return gapAt(t, segments_, outline_); }
+
+Real FootprintOracle::gapOfSegment(std::size_t segment, Real t) const {
+  return gapAt(t, {segments_[segment]}, outline_);
+}
+
+Real FootprintOracle::gapOfPoint(const Vec2& p, Real t) const {
+  const Point point{p.x(), p.y()};
+  return gapAt(t, {{point, point}}, outline_);
+}
+
+Line FootprintOracle::shortestLine(Real t) const {
+  Line shortest{{0, 0}, {HUGE_VALL, 0}};
+  for (const Line& edge : edgesOf(outline_.at(t)))
+    for (const Line& segment : segments_) {
+      const Line line = test::shortestLine(segment, edge);
+      if (length(line) < length(shortest)) shortest = line;
+    }
+  return shortest;
+}
+
+bool FootprintOracle::isWithinNow() const {
+  const OutlineNow now = outline_.at(0);
+  if (gap(0) + now.radius <= 0) return false;  // the boundaries meet
+  const bool around = now.vertices.size() > 2 && isInside(edgesOf(now), segments_[0].start);
+  return around || isInside(segments_, now.vertices[0]);
+}
+
+Real FootprintOracle::clearance() const {
+  const Real radius = outline_.at(0).radius;
+  const Real distance = gap(0) + radius;
+  return (isWithinNow() ? -distance : distance) - radius;
+}
+
+FirstTouch FootprintOracle::firstTouch() const {
+  if (isWithinNow()) return {0, 0};
+  return findFirstTouch(segments_, outline_, horizon_);
+}
+
+FirstTouch FootprintOracle::firstTouchOfSegment(std::size_t segment) const {
+  return findFirstTouch({segments_[segment]}, outline_, horizon_);
+}
+
+SmallestGap FootprintOracle::smallestGap() const {
+  if (isWithinNow()) return {0, 0};
+  const SmallestGap found = findSmallestGap(segments_, outline_, horizon_);
+  return {std::max(Real(0), found.gap), found.time};
+}
+
+}  // namespace footprint_collision_predictor::test
