@@ -107,7 +107,7 @@ struct Advance {
 
 /// Goes on to the first t in [0, horizon] at which the gap is at most the tolerance; it is aimed at
 /// half of that, so that it is never later than the contact.
-/// \param tolerance [m] > 0, as a function of time
+/// \param tolerance [m] > 0, as a function of time, which does not fall
 template <typename Body, typename Path, typename Tolerance>
 Advance advanceToContact(const Body& body, const Path& path, const Disc& disc, double horizon,
                          const Tolerance& tolerance, std::size_t max_steps) {
@@ -116,8 +116,14 @@ Advance advanceToContact(const Body& body, const Path& path, const Disc& disc, d
     const Gap<Body, Path> gap(body, path, disc, t);
     const double enough = tolerance(t);
     if (gap.size() <= enough) return {Advance::kContact, t, gap.segment()};
-    step = nextStep(gap, enough / 2, horizon - t, step);
-    if (step >= horizon - t) return {Advance::kNoContact, horizon, 0};
+    const double last_step = step, left = horizon - t;
+    step = nextStep(gap, enough / 2, left, last_step);
+    // Where it lands far away, rounding is that of the numbers there.
+    const double enough_there = tolerance(t + step);
+    if (enough_there > 4 * enough)
+      step =
+          enough_there < gap.size() ? nextStep(gap, enough_there / 2, left, last_step) : step / 2;
+    if (step >= left) return {Advance::kNoContact, horizon, 0};
     t += step;
   }
   return {Advance::kUndecided, t, 0};

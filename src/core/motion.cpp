@@ -56,7 +56,10 @@ Vec2 displacement(const Twist& twist, double dt) {
 }
 
 Twist atPoint(const Vec2& point, const Twist& twist) {
-  return {twist.linear + twist.angular * leftNormal(point), twist.angular};
+  // Rounded once: far from the origin these cancel.
+  return {{std::fma(-twist.angular, point.y(), twist.linear.x()),
+           std::fma(twist.angular, point.x(), twist.linear.y())},
+          twist.angular};
 }
 
 Motion relativeMotion(const Motion& obstacle, const Twist& footprint) {

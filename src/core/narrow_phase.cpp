@@ -87,7 +87,11 @@ bool NarrowPhase::staysAway(const Edge& edge, double until) const {
 std::optional<Contact> NarrowPhase::contactOf(std::size_t i, double until) const {
   const Edge& edge = footprint_.segment(i);
   if (shape_.outline.size > 0) return contactWithOutline(edge);
-  if (twist_.angular != 0) return timeToCollision(edge, twist_, shape_.disc, until);
+  if (twist_.angular != 0) {
+    // Its last bits depend on how far ahead is looked; the answer must not depend on others.
+    if (until < horizon_ && !timeToCollision(edge, twist_, shape_.disc, until)) return std::nullopt;
+    return timeToCollision(edge, twist_, shape_.disc, horizon_);
+  }
   if (staysAway(edge, until)) return std::nullopt;
   return timeToCollision(edge, relative_, horizon_);
 }
@@ -118,7 +122,10 @@ std::optional<Contact> NarrowPhase::contactWithOutline(const Edge& edge) const {
 std::optional<FirstTouch> firstTouch(const Polygon& footprint, const Twist& twist,
                                      const Shape& shape, double horizon, double until) {
   if (shape.outline.size == 0 && footprint.isConvex()) {
-    const ConvexAnswer answer = firstTouchOfConvex(footprint, twist, shape.disc, until);
+    ConvexAnswer answer = firstTouchOfConvex(footprint, twist, shape.disc, until);
+    // Its last bits depend on how far ahead is looked; the answer must not depend on others.
+    if (answer.touch && until < horizon)
+      answer = firstTouchOfConvex(footprint, twist, shape.disc, horizon);
     if (answer.is_certain) return answer.touch;
   }
   const NarrowPhase narrow(footprint, twist, shape, horizon);
