@@ -119,10 +119,9 @@ Advance advanceToContact(const Body& body, const Path& path, const Disc& disc, d
     const double last_step = step, left = horizon - t;
     step = nextStep(gap, enough / 2, left, last_step);
     // Where it lands far away, rounding is that of the numbers there.
+    while (tolerance(t + step) >= 2 * gap.size()) step /= 2;
     const double enough_there = tolerance(t + step);
-    if (enough_there > 4 * enough)
-      step =
-          enough_there < gap.size() ? nextStep(gap, enough_there / 2, left, last_step) : step / 2;
+    if (enough_there > 1.25 * enough) step = nextStep(gap, enough_there / 2, step, last_step);
     if (step >= left) return {Advance::kNoContact, horizon, 0};
     t += step;
   }

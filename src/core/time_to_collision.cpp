@@ -66,19 +66,24 @@ Quadratic allowance(const Disc& d) {
           kRoundingAllowance * (d.motion.position.lpNorm<1>() + d.radius)};
 }
 
-/// A disc in the frame of an edge (S2), which starts at the origin and lies on the x axis.
+/// A disc in the frame of an edge (S2), which starts at the origin and lies on the x axis. Relative
+/// to each end the position is taken by itself, so that nothing is lost beside the other.
 struct InEdgeFrame {
+  Disc from_start;
+  Disc from_end;
   Quadratic along;
   Quadratic across;
   Quadratic allowance;  ///< of the farther end
 };
 
-/// \param disc relative to the edge's start
 InEdgeFrame inEdgeFrame(const Edge& edge, const Disc& disc) {
-  const Motion& m = disc.motion;
-  Quadratic slack = allowance(disc);
-  slack.c = std::max(slack.c, allowance(relativeTo(edge.end - edge.start, disc)).c);
-  return {{0.5 * edge.tangent.dot(m.acceleration), edge.tangent.dot(m.velocity),
+  const Disc from_start = relativeTo(edge.start, disc), from_end = relativeTo(edge.end, disc);
+  const Motion& m = from_start.motion;
+  Quadratic slack = allowance(from_start);
+  slack.c = std::max(slack.c, allowance(from_end).c);
+  return {from_start,
+          from_end,
+          {0.5 * edge.tangent.dot(m.acceleration), edge.tangent.dot(m.velocity),
            edge.tangent.dot(m.position)},
           {0.5 * cross(edge.tangent, m.acceleration), cross(edge.tangent, m.velocity),
            cross(edge.tangent, m.position)},
@@ -90,17 +95,16 @@ Quadratic radiusOf(const Disc& disc) { return {0, disc.radius_rate, disc.radius}
 /// Half of the allowance is what roots are sought for.
 Quadratic half(const Quadratic& x) { return {0.5 * x.a, 0.5 * x.b, 0.5 * x.c}; }
 
-/// Distance from the edge, which starts at the origin.
-double distanceFrom(const Edge& edge, const Vec2& p) {
+double distanceAt(const Edge& edge, const InEdgeFrame& f, double t) {
+  const Vec2 p = f.from_start.motion.positionAt(t);
   const double along = edge.tangent.dot(p);
   if (along <= 0) return p.norm();
-  if (along >= edge.length) return (p - (edge.end - edge.start)).norm();
+  if (along >= edge.length) return f.from_end.motion.positionAt(t).norm();
   return std::abs(cross(edge.tangent, p));
 }
 
-/// \param disc relative to the edge's start
-bool isTouching(const Edge& edge, const Disc& disc, const Quadratic& slack, double t) {
-  return distanceFrom(edge, disc.motion.positionAt(t)) <= disc.radiusAt(t) + slack.at(t);
+bool isTouching(const Edge& edge, const InEdgeFrame& f, double t) {
+  return distanceAt(edge, f, t) <= f.from_start.radiusAt(t) + f.allowance.at(t);
 }
 
 /// With q the position relative to an end, f = |q|^2 - reach^2 is a quartic in time. From a time
@@ -165,20 +169,19 @@ std::array<double, 2> rootsOf(const Quadratic& x) {
 /// the segment's inside. All four sides are asked, also the two across the ends: a centre that
 /// comes from beyond an end touches that end first, but in a graze only by less than rounding, and
 /// then the end may not be seen to be touched.
-std::optional<double> timeToTouchInside(const Edge& edge, const Disc& disc, const InEdgeFrame& f,
-                                        double horizon) {
+std::optional<double> timeToTouchInside(const Edge& edge, const InEdgeFrame& f, double horizon) {
   if (edge.length == 0) return std::nullopt;
   // With the slack as it grows with time, so that it counts in full also for a path that leads far
   // away and back.
   const Quadratic slack = half(f.allowance);
-  const Quadratic reach = radiusOf(disc) + slack;
+  const Quadratic reach = radiusOf(f.from_start) + slack;
   const Quadratic length{0, 0, edge.length};
   std::optional<double> first;
   for (const Quadratic& side :
        {f.across - reach, f.across + reach, f.along + slack, f.along - length - slack}) {
     for (const double t : rootsOf(side)) {
       const bool earlier = t >= 0 && t <= first.value_or(horizon);  // false for NaN
-      if (earlier && isTouching(edge, disc, f.allowance, t)) first = t;
+      if (earlier && isTouching(edge, f, t)) first = t;
     }
   }
   return first;
@@ -191,27 +194,27 @@ std::optional<double> earliest(const std::optional<double>& a, const std::option
 
 /// With acceleration most questions are answered by a few steps of advancement. What is not, a
 /// graze or nearly one, is asked the three questions.
-std::optional<double> timeToTouchAccelerating(const Edge& edge, const Disc& disc,
-                                              const InEdgeFrame& f, double horizon) {
+std::optional<double> timeToTouchAccelerating(const Edge& edge, const InEdgeFrame& f,
+                                              double horizon) {
   constexpr std::size_t kFewSteps = 8;
   const auto slack = [&](double t) { return f.allowance.at(t); };
-  const Advance advance = advanceToContact(EdgeBody{fromStart(edge)}, StraightPath(disc.motion),
-                                           disc, horizon, slack, kFewSteps);
+  const Advance advance =
+      advanceToContact(EdgeBody{fromStart(edge)}, StraightPath(f.from_start.motion), f.from_start,
+                       horizon, slack, kFewSteps);
   if (advance.outcome == Advance::kNoContact) return std::nullopt;
   if (advance.outcome == Advance::kContact) return advance.time;
-  const auto time = earliest(timeToTouchEnd(disc, horizon),
-                             timeToTouchEnd(relativeTo(edge.end - edge.start, disc), horizon));
-  return earliest(time, timeToTouchInside(edge, disc, f, horizon));
+  const auto time =
+      earliest(timeToTouchEnd(f.from_start, horizon), timeToTouchEnd(f.from_end, horizon));
+  return earliest(time, timeToTouchInside(edge, f, horizon));
 }
 
 /// Without acceleration one question is enough. Whatever touches the segment lies in the strip of
 /// all points within reach of its line. The centre enters that once: between the ends it touches
 /// there and then; beyond an end it cannot come between the ends without having touched this one,
 /// which takes a single step.
-std::optional<double> timeToTouchStraight(const Edge& edge, const Disc& disc, const InEdgeFrame& f,
-                                          double horizon) {
+std::optional<double> timeToTouchStraight(const Edge& edge, const InEdgeFrame& f, double horizon) {
   const Quadratic slack = half(f.allowance);
-  const Quadratic reach = radiusOf(disc) + slack;
+  const Quadratic reach = radiusOf(f.from_start) + slack;
   const Quadratic gap = (f.across.c < 0 ? -f.across : f.across) - reach;
   double entry = 0;
   if (gap.c > 0) {
@@ -222,9 +225,9 @@ std::optional<double> timeToTouchStraight(const Edge& edge, const Disc& disc, co
   const double beyond = along - edge.length;
   if (along >= -slack.at(entry) && beyond <= slack.at(entry)) return entry;
   const bool at_start = along < 0;
-  const Vec2 position =
-      at_start ? disc.motion.position : Vec2(disc.motion.position - (edge.end - edge.start));
-  if (const auto time = timeToReach(position, disc.motion.velocity, reach.c, reach.b, horizon))
+  const Motion& from_end = (at_start ? f.from_start : f.from_end).motion;
+  if (const auto time =
+          timeToReach(from_end.position, from_end.velocity, reach.c, reach.b, horizon))
     return time;
   // In a graze the end may be touched by less than rounding, and the inside by more thereafter.
   const double to_inside = (at_start ? -f.along.c : edge.length - f.along.c) / f.along.b;
@@ -276,13 +279,12 @@ std::optional<Contact> timeToCollision(const Segment& segment, const Disc& disc,
 }
 
 std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, double horizon) {
-  const Disc local = relativeTo(edge.start, disc);
-  const InEdgeFrame f = inEdgeFrame(edge, local);
+  const InEdgeFrame f = inEdgeFrame(edge, disc);
   const bool straight = disc.motion.acceleration == Vec2::Zero();
-  const auto time = straight ? timeToTouchStraight(edge, local, f, horizon)
-                             : timeToTouchAccelerating(edge, local, f, horizon);
+  const auto time =
+      straight ? timeToTouchStraight(edge, f, horizon) : timeToTouchAccelerating(edge, f, horizon);
   if (!time) return std::nullopt;
-  return contactAt(edge, local.motion.positionAt(*time), *time, f.allowance.at(*time));
+  return contactAt(edge, f.from_start.motion.positionAt(*time), *time, f.allowance.at(*time));
 }
 
 std::optional<Contact> timeToCollision(const Segment& segment, const Twist& twist, const Disc& disc,
