@@ -18,9 +18,7 @@ TEST(GrowingRadius, HoldsTheGuaranteeWithoutAcceleration) {
 
 TEST(GrowingRadius, HoldsTheGuarantee) { runSuite("growing, accelerating", kHalf, growingCase); }
 
-TEST(GrowingRadius, GrazingHoldsTheGuarantee) {
-  runSuite("growing, grazing", kHalf, growingGraze);
-}
+TEST(GrowingRadius, GrazingHoldsTheGuarantee) { runSuite("growing, grazing", kHalf, growingGraze); }
 
 TEST(GrowingRadius, TouchingNowHoldsTheGuarantee) {
   runSuite("growing, touching now", kHalf, growingNow);

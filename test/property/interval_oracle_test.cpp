@@ -108,12 +108,12 @@ TEST(IntervalOracle, AgreesOnAGrowingRadius) {
   expectProven("intervals, growing, grazing", {5000, 200000}, 0.1, growingGraze);
 }
 
-/// What is proven of a segment that turns, by the gap in 113 bits at any time before, and then. That
-/// of a point is never below 0.
+/// What is proven of a segment that turns, by the gap in 113 bits at any time before, and then. A
+/// point, or almost one, may have crossed the segment in between.
 std::string wrongProof(const Case& c, const Proof& proof, Random& random) {
   const Quad rounding = Quad(1e-25 * sizeOfCoordinates(c, c.horizon));
-  const bool is_point = c.radius == 0 && c.radius_rate == 0;
-  if (proof.contact_at && !is_point && trueGap(c, *proof.contact_at) > rounding)
+  if (proof.contact_at && trueGap(c, *proof.contact_at) > rounding &&
+      (trueSide(c, proof.free_until) > 0) == (trueSide(c, *proof.contact_at) > 0))
     return "a gap where contact is proven\n" + asCode(c);
   for (int i = 0; i < 10 && proof.free_until > 0; ++i) {
     const double t = proof.free_until * (1 - random.logUniform(1e-12, 1));

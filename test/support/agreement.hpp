@@ -14,8 +14,8 @@ using Answer = std::optional<core::Contact>;
 bool notLater(const Answer& answer, double time);
 
 /// The other case reported contact at `time`; this one did so later, or not at all. That is right
-/// only in a graze: nothing touches yet, but by a hair of what is allowed, and `more` [m].
-bool hairIsLeft(const Case& c, double time, double more = 0);
+/// only in a graze: nothing touches yet, but by a hair [m].
+bool hairIsLeft(const Case& c, double time, double hair);
 
 /// Both touch at the same time or neither does: empty, or both cases as code. The gaps of the two
 /// may differ by off_at_a [m] at the time of a, and likewise for b.

@@ -21,8 +21,8 @@ std::string asCode(const Case& c) {
   return "const Case c{{" + braced(c.segment.start) + ", " + braced(c.segment.end) + "},\n" +
          "             {" + braced(c.circle.position) + ", " + braced(c.circle.velocity) + ", " +
          braced(c.circle.acceleration) + "},\n             " + hex(c.radius) + ", " +
-         hex(c.horizon) + ", " + hex(c.radius_rate) + ",\n             {" +
-         braced(c.twist.linear) + ", " + hex(c.twist.angular) + "}};";
+         hex(c.horizon) + ", " + hex(c.radius_rate) + ",\n             {" + braced(c.twist.linear) +
+         ", " + hex(c.twist.angular) + "}};";
 }
 
 std::optional<core::Contact> ask(const Case& c) {

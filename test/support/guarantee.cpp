@@ -40,7 +40,7 @@ std::string tooLate(const Case& c, const std::optional<core::Contact>& contact, 
 
 /// What the core promises of itself is far stricter; twice, since it decides in double.
 double promisedGap(const Case& c, double t) {
-  if (c.twist.angular != 0) return 2 * (1e-9 + 1e-14 * sizeOfCoordinates(c, t));
+  if (c.twist.angular != 0) return 2e-9 * std::max(1.0, sizeOfCoordinates(c, t));
   const Disc seen{relativeMotion(c.circle, c.twist), c.radius, c.radius_rate};
   return 2 * contactTolerance(c.segment, seen, t);
 }

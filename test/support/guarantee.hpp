@@ -22,15 +22,15 @@ struct Tally {
   std::size_t undecided = 0;  ///< grazes of which nobody can tell whether they touch
 };
 
-/// Gap [m] that may be left at a reported contact: 1e-9 m, or 1e-6 m where the segment turns, scaled
-/// by the size of the coordinates.
+/// Gap [m] that may be left at a reported contact: 1e-9 m, or 1e-6 m where the segment turns,
+/// scaled by the size of the coordinates.
 double allowedGap(const Case& c, double t);
 
 /// What is wrong with the answer to this case; empty when the guarantee holds: (a) never missed and
 /// never late by more than 1e-9 s, relative for large times; (b) never invented: the gap at the
-/// reported time is at most allowedGap(), and no more than the core promises of itself; (c) the time
-/// lies within [0, horizon]; (d) the point is the nearest one of the segment, and an end that is
-/// named is exact.
+/// reported time is at most allowedGap(), and no more than the core promises of itself; (c) the
+/// time lies within [0, horizon]; (d) the point is the nearest one of the segment, and an end that
+/// is named is exact.
 std::string violations(const Case& c, Tally* tally);
 
 /// For a single case, as asCode() prints it.
@@ -59,6 +59,6 @@ void forEachCase(const std::string& suite, const SuiteSize& size,
 
 /// Puts that many random cases to the guarantee and prints a line of summary.
 Tally runSuite(const std::string& suite, const SuiteSize& size,
-              const std::function<Case(Random&)>& make);
+               const std::function<Case(Random&)>& make);
 
 }  // namespace footprint_collision_predictor::test

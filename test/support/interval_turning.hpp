@@ -38,7 +38,8 @@ struct SineAndCosine {
 /// are taken off by their first 33 bits, times a count below 2^31 exact, and an enclosure of their
 /// rest. That is so for any count: that it is the nearest one need not be proven.
 inline SineAndCosine ofNarrow(const Interval& angle) {
-  constexpr long double kQuarter = 0x1.921fb544p0L;  // pi / 2 = 1.921fb544 42d18469 898cc517 01b8...
+  constexpr long double kQuarter =
+      0x1.921fb544p0L;  // pi / 2 = 1.921fb544 42d18469 898cc517 01b8...
   const Interval rest(0x0.42d18469898cc517p-32L, 0x0.42d18469898cc518p-32L);
   const long double count = std::floor(median(angle) / kQuarter + 0.5L);
   const Interval left = angle - Interval(count) * Interval(kQuarter) - Interval(count) * rest;

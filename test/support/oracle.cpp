@@ -60,8 +60,8 @@ struct Relative {
 };
 
 Relative relativeTo(const Vec2& origin, const Case& c) {
-  return {quad(c.circle.position) - quad(origin),
-          quad(c.circle.velocity) - quad(c.twist.linear), quad(c.circle.acceleration)};
+  return {quad(c.circle.position) - quad(origin), quad(c.circle.velocity) - quad(c.twist.linear),
+          quad(c.circle.acceleration)};
 }
 
 /// Contact with one end alone: |p + v t + a t^2 / 2|^2 - (r + r' t)^2 <= 0.

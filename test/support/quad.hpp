@@ -29,8 +29,8 @@ struct QuadTurn {
 /// Of an angle of up to 1e6 rad, to about 1e-33 and its own rounding: whole quarters of a turn are
 /// taken off, the rest goes into the power series. Of a small angle, the sine has all its bits.
 inline QuadTurn sineAndCosine(Quad angle) {
-  const Quad quarter = Quad(0x1.921fb54442d18p+0) + Quad(0x1.1a62633145c07p-54) -
-                       Quad(0x1.f1976b7ed8fbcp-110);
+  const Quad quarter =
+      Quad(0x1.921fb54442d18p+0) + Quad(0x1.1a62633145c07p-54) - Quad(0x1.f1976b7ed8fbcp-110);
   const double count = std::round(static_cast<double>(angle / quarter));
   const Quad x = angle - count * quarter;
   Quad sine = 0, cosine = 0, term = 1;  // term: x^n / n!

@@ -6,16 +6,17 @@
 namespace footprint_collision_predictor::test {
 namespace {
 
-/// What intervals bracket, narrowed down in 113 bits: by the gap, which for a point never falls below
-/// 0, and for a point by the side on which it is.
+/// What intervals bracket, narrowed down in 113 bits: by the gap or, where a point has crossed the
+/// segment in between, by the side on which it is.
 Quad narrowed(const Case& c, Quad apart, Quad touching) {
-  const bool is_point = c.radius == 0 && c.radius_rate == 0;
   const bool was_left = trueSide(c, apart) > 0;
-  if (is_point && (trueSide(c, touching) > 0) == was_left) return touching;
+  const bool is_apart_again = trueGap(c, touching) > 0;
+  if (is_apart_again && (trueSide(c, touching) > 0) == was_left) return touching;
   while (touching - apart > Quad(1e-12) * larger(1, touching)) {
     const Quad middle = apart + (touching - apart) / 2;
-    const bool touches = is_point ? (trueSide(c, middle) > 0) != was_left : trueGap(c, middle) <= 0;
-    (touches ? touching : apart) = middle;
+    const bool is_late =
+        is_apart_again ? (trueSide(c, middle) > 0) != was_left : trueGap(c, middle) <= 0;
+    (is_late ? touching : apart) = middle;
   }
   return touching;
 }

@@ -12,7 +12,8 @@ namespace footprint_collision_predictor::test {
 struct Truth {
   /// A moment at which the disc touches, and the first one if is_decided.
   std::optional<Quad> contact;
-  /// False for a graze, of a segment that turns, which intervals of 64 bits cannot tell from a miss.
+  /// False for a graze, of a segment that turns, which intervals of 64 bits cannot tell from a
+  /// miss.
   bool is_decided;
 };
 

@@ -50,7 +50,8 @@ Setting anySetting(Random& random) {
 double horizonFor(const Twist& twist, Random& random) {
   const double w = std::abs(twist.angular);
   const double turns = random.uniform(0.1, 6);
-  const double most = w == 0 ? core::kMaxHorizon : std::min(core::kMaxHorizon, 2 * M_PI * turns / w);
+  const double most =
+      w == 0 ? core::kMaxHorizon : std::min(core::kMaxHorizon, 2 * M_PI * turns / w);
   return random.chance(0.5) && most <= 100 ? most : std::min(most, random.logUniform(0.1, 100));
 }
 
@@ -70,8 +71,7 @@ double radiusAt(const Setting& of, double time) { return of.radius + time * of.r
 Vec2 anyPlaceInTheWay(const Setting& of, double time, Random& random) {
   const Segment& s = of.segment;
   if (of.radius == 0) return s.start + random.uniform(0, 1) * (s.end - s.start);
-  return pointOn(s, random) +
-         random.uniform(0, 1.3) * radiusAt(of, time) * random.direction();
+  return pointOn(s, random) + random.uniform(0, 1.3) * radiusAt(of, time) * random.direction();
 }
 
 Case aimed(const Setting& of, Random& random) {
@@ -88,8 +88,8 @@ Case standing(const Setting& of, Random& random) {
   return meeting(of, anyPlaceInTheWay(of, time, random), time, {0, 0}, {0, 0}, horizon);
 }
 
-/// The way of a pillar is a circle about the centre of rotation: the point of the segment nearest to
-/// that is grazed from within or from without.
+/// The way of a pillar is a circle about the centre of rotation: the point of the segment nearest
+/// to that is grazed from within or from without.
 Case grazingPillar(const Setting& of, Random& random) {
   const Vec2 centre = centreOfRotation(of.twist);
   const Vec2 point = core::closestPoint(of.segment, centre);
@@ -108,8 +108,7 @@ Case grazing(const Setting& of, Random& random) {
   const Vec2 place = touch.point + almost(radiusAt(of, time), random) * touch.outwards;
   const Vec2 alongside =
       random.sign() * random.logUniform(1e-3, 1e2) * core::leftNormal(touch.outwards);
-  const Vec2 velocity =
-      velocityOf(place, of.twist) + alongside + of.radius_rate * touch.outwards;
+  const Vec2 velocity = velocityOf(place, of.twist) + alongside + of.radius_rate * touch.outwards;
   return meeting(of, place, time, velocity, anyVector(random, 1e-9, 10), horizon);
 }
 
@@ -122,8 +121,7 @@ Case now(const Setting& of, Random& random) {
       random.chance(0.5) ? random.uniform(-1, 1) : random.sign() * random.logUniform(1e-16, 1e-1);
   const Vec2 relative = random.logUniform(1e-6, 1e2) * (side + outwards * touch.outwards);
   const Vec2 velocity = velocityOf(place, of.twist) + relative + of.radius_rate * touch.outwards;
-  return meeting(of, place, 0, velocity, anyVector(random, 1e-9, 10),
-                 horizonFor(of.twist, random));
+  return meeting(of, place, 0, velocity, anyVector(random, 1e-9, 10), horizonFor(of.twist, random));
 }
 
 Kind anyKind(Random& random) {
@@ -165,10 +163,13 @@ Case turningAndGrowing(Random& random) {
 }
 
 Case turningFarFromOrigin(Random& random) {
-  const double away = random.logUniform(1e3, 1e6);
+  double away = random.logUniform(1e3, 1e6);
+  if (random.chance(0.5)) {
+    const Case c = turningOfEveryKind(random);
+    away = std::min(away, core::kMaxRate / std::abs(c.twist.angular));
+    return fromOtherFrame(c, Eigen::Matrix2d::Identity(), away * random.direction());
+  }
   const Vec2 by = away * random.direction();
-  if (random.chance(0.5)) 
-    return fromOtherFrame(turningOfEveryKind(random), Eigen::Matrix2d::Identity(), by);
   Setting setting = anySetting(random);
   setting.segment = {setting.segment.start + by, setting.segment.end + by};
   setting.twist = {random.uniform(0, 10) * random.direction(),
@@ -181,9 +182,9 @@ Case fromOtherFrame(const Case& c, const Eigen::Matrix2d& turn, const Vec2& by) 
   other.segment = {turn * c.segment.start + by, turn * c.segment.end + by};
   other.circle = {turn * c.circle.position + by, turn * c.circle.velocity,
                   turn * c.circle.acceleration};
-  other.twist.angular = core::cross(turn.col(0), turn.col(1)) < 0 ? -c.twist.angular : c.twist.angular;
-  other.twist.linear =
-      turn * c.twist.linear - other.twist.angular * core::leftNormal(by);
+  other.twist.angular =
+      core::cross(turn.col(0), turn.col(1)) < 0 ? -c.twist.angular : c.twist.angular;
+  other.twist.linear = turn * c.twist.linear - other.twist.angular * core::leftNormal(by);
   return other;
 }
 

@@ -85,7 +85,9 @@ TEST(IntervalTurning, EnclosesEveryAngleOfAnInterval) {
     const double width = random.chance(0.2) ? 0 : random.logUniform(1e-15, 10);
     const double high = low + width;
     const double where = random.uniform(0, 1);
-    const double angle = where < 0.1 ? low : where < 0.2 ? high : std::clamp(random.uniform(low, high), low, high);
+    const double angle = where < 0.1   ? low
+                         : where < 0.2 ? high
+                                       : std::clamp(random.uniform(low, high), low, high);
     const QuadTurn truth = sineAndCosine(Quad(angle));
     const RoundingUpwards rounding;
     const SineAndCosine got = turnedBy(low, high);
@@ -96,7 +98,9 @@ TEST(IntervalTurning, EnclosesEveryAngleOfAnInterval) {
   }
 }
 
-Quad forwardAt(double t, double w) { return w == 0 ? Quad(t) : sineAndCosine(Quad(w) * t).sine / w; }
+Quad forwardAt(double t, double w) {
+  return w == 0 ? Quad(t) : sineAndCosine(Quad(w) * t).sine / w;
+}
 
 Quad sidewaysAt(double t, double w) {
   const Quad half = sineAndCosine(Quad(w) * t / 2).sine;

@@ -173,8 +173,8 @@ std::vector<NamedCase> growingCases() {
           Feature::kInside, {2, 0}),
       none("just after the horizon by growing", growing(straight({2, 3}, {0, 0}), 1, 0.5, 3.999)),
       // In the strip from t = 3, at x = 8; |(7 - t, 4)| = 1 + t at 4.
-      hit("its strip reaches it beyond the end, then it touches the end", growing(straight({11, 4}, {-1, 0}), 1, 1), 4,
-          Feature::kEnd, {4, 0}),
+      hit("its strip reaches it beyond the end, then it touches the end",
+          growing(straight({11, 4}, {-1, 0}), 1, 1), 4, Feature::kEnd, {4, 0}),
   };
 }
 
@@ -199,9 +199,8 @@ std::vector<NamedCase> horizonCases() {
 const std::vector<NamedCase>& namedCases() {
   static const std::vector<NamedCase> kAll = [] {
     std::vector<NamedCase> all;
-    for (const auto& part :
-         {insideCases(), endCases(), nowCases(), acceleratedCases(), growingCases(), horizonCases(),
-          turningCases()})
+    for (const auto& part : {insideCases(), endCases(), nowCases(), acceleratedCases(),
+                             growingCases(), horizonCases(), turningCases()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

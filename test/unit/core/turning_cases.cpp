@@ -29,7 +29,7 @@ NamedCase none(const std::string& name, const Case& question) {
 std::vector<NamedCase> inPlaceCases() {
   const Twist left{{0, 0}, 1};
   const Twist right{{0, 0}, -1};
-  const double third = std::asin(1.0 / 3);  // 3 m away, and 1 m beside the bar
+  const double third = std::asin(1.0 / 3);                  // 3 m away, and 1 m beside the bar
   const double last = std::acos((16 + 20.25 - 0.36) / 36);  // 0.6 m from the end, by cosines
   return {
       hit("turns left onto a point", pillar(kBar, {0, 3}, 0, left), M_PI / 2, Feature::kInside,
@@ -86,17 +86,17 @@ std::vector<NamedCase> movingCases() {
   const Twist quarter{{0, 0}, M_PI / 2};
   const Twist one_turn_a_second{{0, 0}, 2 * M_PI};
   return {
-      hit("turns onto a disc that comes",
-          {kBar, {{-1, 3}, {0, -1}, {0, 0}}, 1, 10, 0, quarter}, 1, Feature::kInside, {2, 0}),
-      hit("turns onto a disc that falls",
-          {kBar, {{-1, 2.5}, {0, 0}, {0, -1}}, 1, 10, 0, quarter}, 1, Feature::kInside, {2, 0}),
+      hit("turns onto a disc that comes", {kBar, {{-1, 3}, {0, -1}, {0, 0}}, 1, 10, 0, quarter}, 1,
+          Feature::kInside, {2, 0}),
+      hit("turns onto a disc that falls", {kBar, {{-1, 2.5}, {0, 0}, {0, -1}}, 1, 10, 0, quarter},
+          1, Feature::kInside, {2, 0}),
       hit("turns onto a disc that grows",
           {kBar, {{-1, 2}, {0, 0}, {0, 0}}, 0.75, 10, 0.25, quarter}, 1, Feature::kInside, {2, 0}),
       // The disc comes down by half a metre a second; when the bar points at it for the third time
       // its rim is at 4 m, after it was at 5 and 4.5.
       hit("reaches it in the third turn",
-          {kBar, {{0, 6.125}, {0, -0.5}, {0, 0}}, 1, 10, 0, one_turn_a_second}, 2.25,
-          Feature::kEnd, {4, 0}),
+          {kBar, {{0, 6.125}, {0, -0.5}, {0, 0}}, 1, 10, 0, one_turn_a_second}, 2.25, Feature::kEnd,
+          {4, 0}),
       hit("reaches it in the third turn to the right",
           {kBar, {{0, -6.125}, {0, 0.5}, {0, 0}}, 1, 10, 0, {{0, 0}, -2 * M_PI}}, 2.25,
           Feature::kEnd, {4, 0}),
