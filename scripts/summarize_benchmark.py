@@ -13,8 +13,8 @@ import sys
 
 FEW = "_10000"  # obstacles, where a headline does not say how many
 
-# (what, motion, ours, the other, at least, moonshot): how many times longer the other takes. Ours is
-# one query, or one call for 10,000 obstacles; the other is always one query.
+# (what, motion, ours, the other, at least, moonshot): how many times longer the other takes. Ours
+# is one query, or one call for 10,000 obstacles; the other is always one query.
 HEADLINES = [
     ("scalar query / Box2D", "straight", "ours", "box2d", 15, 25),
     ("batch, baseline / Box2D", "straight", "batch_baseline", "box2d", 25, 40),
@@ -80,15 +80,15 @@ def number(value, form="{:.0f}"):
 
 
 def print_headlines(context, queries):
-    print("Ratios of medians, 8 edges; above 1 the core is faster. One call for 10,000 obstacles where"
-          "\nit says batch (each segment's earliest contact) or lean (the footprint's)\n")
+    print("Ratios of medians, 8 edges; above 1 the core is faster. One call for 10,000 obstacles"
+          "\nwhere it says batch (each segment's earliest contact) or lean (the footprint's)\n")
     form = "  {:<13}{:<32}{:>9}{:>10}{:>10}{:>10}"
     print(form.format("", "", "at least", "moonshot", *SCENES))
     for what, motion, ours, other, least, moonshot in HEADLINES:
         reached = [number(ratio(queries, scene, motion, ours, other), "{:.1f}") for scene in SCENES]
         print(form.format(motion, what, number(least), number(moonshot), *reached))
     print_growth(queries)
-    print("\n  memory for each obstacle: {:.0f} bytes of a disc (at most {}), {:.0f} of a line".format(
+    print("\n  memory of a batch: {:.0f} bytes for a disc (at most {}), {:.0f} for a line".format(
         float(context["bytes_per_disc"]), MEMORY_GOAL, float(context["bytes_per_line"])))
     for name in sorted(context):
         if name.startswith("without_"):
@@ -136,7 +136,7 @@ def print_many(query, methods):
         print("  {:>10,}".format(count) + "".join(
             "{:>16.1f}".format(methods["{}_{}".format(name, count)]["ns"]) for name in kinds))
     wrong = [sum(run[what] for run in runs) for what in ("misses", "late", "inventions")]
-    print("  {:,.0f} questions in all: {:.0f} missed, {:.0f} late, {:.0f} invented; worst error {}".format(
+    print("  {:,.0f} questions: {:.0f} missed, {:.0f} late, {:.0f} invented; worst error {}".format(
         sum(run["questions"] for run in runs), *wrong,
         time_text(max(run["worst_time_error"] for run in runs))))
 
@@ -162,7 +162,7 @@ def main():
     print("\n{}: {} processors at {} MHz, load {}; spread {:.0%}, at most {:.0%}\n".format(
         context["date"], context["num_cpus"], context["mhz_per_cpu"],
         " ".join("{:.2f}".format(load) for load in context["load_avg"]), *spread(path)))
-    print("\n".join(__doc__.splitlines()[2:]))
+    print("\n".join(__doc__.splitlines()[2:]) + "\n")
     print_headlines(context, queries)
     for query, methods in sorted(queries.items(), key=lambda item: place(item[0])):
         (print_many if query.startswith("many/") else print_methods)(query, methods)

@@ -25,9 +25,14 @@ class Box2dPeer {
   double firstContact(const Disc& disc, const std::vector<Vec2>& outline);
 
  private:
+  /// [0, 1] of the sweeps in input_, or kNever.
+  double firstContactOfSweep();
+
   std::vector<std::vector<b2Vec2>> vertices_;
   std::vector<b2DistanceProxy> parts_;
   std::vector<b2Vec2> obstacle_;
+  std::vector<b2Sweep> sweeps_;  ///< of the footprint, one piece of the horizon after the other
+  double duration_;              ///< [s] of each
   b2TOIInput input_;
 };
 

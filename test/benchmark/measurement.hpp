@@ -36,7 +36,7 @@ struct Effort {
 /// takes long by itself is repeated less often.
 template <typename Call>
 Effort effortFor(std::size_t inputs, const Call& call) {
-  constexpr double kSeconds = 0.03;
+  constexpr double kSeconds = 0.02;
   constexpr double kLong = 0.2;  // [s]
   constexpr std::size_t kSample = 4096;
   const std::size_t sample = std::min(inputs, kSample);
@@ -46,7 +46,7 @@ Effort effortFor(std::size_t inputs, const Call& call) {
   const double one_pass = took * static_cast<double>(inputs) / static_cast<double>(sample);
   return {std::max<benchmark::IterationCount>(
               1, static_cast<benchmark::IterationCount>(kSeconds / one_pass)),
-          one_pass < kLong ? 7 : 3};
+          one_pass < kLong ? 5 : 3};
 }
 
 /// \param call anything(std::size_t input), as its own type: a std::function would cost a fast
