@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "truth.hpp"
+#include "true_contacts.hpp"
 
 namespace footprint_collision_predictor::bench {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "truth.hpp"
+#include "true_contacts.hpp"
 
 namespace footprint_collision_predictor::bench {
 

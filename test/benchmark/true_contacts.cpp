@@ -1,4 +1,4 @@
-#include "truth.hpp"
+#include "true_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +71,9 @@ class Neighbourhood {
 Truth byPolynomials(const Scene& scene, std::size_t segment, std::size_t obstacle, double growth,
                     double until) {
   const Disc disc = scene.seen(obstacle);
-  const auto time = test::trueContact(
-      {scene.footprint.segment(segment), disc.motion, std::max(0.0, disc.radius + growth), until});
+  const auto time =
+      test::trueContact({scene.footprint.segment(segment), disc.motion,
+                         std::max(0.0, disc.radius + growth), until, disc.radius_rate});
   if (!time) return {};
   return {static_cast<double>(*time), static_cast<double>(*time)};
 }
@@ -92,7 +93,7 @@ Truth byCutting(const Scene& scene, std::size_t segment, std::size_t obstacle, d
 /// Brings the truths of the segments up to date with one more obstacle.
 void add(const Scene& scene, const Range& segments, std::size_t obstacle, double growth,
          std::vector<Truth>* truths) {
-  const bool has_polynomials = scene.kind == Kind::kStraight || scene.kind == Kind::kAccelerating;
+  const bool has_polynomials = scene.kind != Kind::kTurning && scene.kind != Kind::kWalls;
   double latest = 0;
   for (const Truth& t : *truths) latest = std::max(latest, std::min(kHorizon, t.contact_at));
   const Neighbourhood near(scene, obstacle, growth, latest);
