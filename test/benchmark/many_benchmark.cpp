@@ -19,8 +19,8 @@ class Lists {
     auto from = scene_->obstacles.begin();
     for (std::size_t i = 0; i < std::max<std::size_t>(1, kInputs / size); ++i) {
       const auto to = from + static_cast<std::ptrdiff_t>(size);
-      obstacles_.emplace_back(from, to);
-      batches_.emplace_back(obstacles_.back());
+      if (size < scene_->obstacles.size()) obstacles_.emplace_back(from, to);
+      batches_.emplace_back(obstacles(i));
       from = to;
     }
   }
@@ -29,7 +29,9 @@ class Lists {
   /// Of each list.
   std::size_t size() const { return size_; }
   std::size_t count() const { return batches_.size(); }
-  const std::vector<Obstacle>& obstacles(std::size_t i) const { return obstacles_[i]; }
+  const std::vector<Obstacle>& obstacles(std::size_t i) const {
+    return obstacles_.empty() ? scene_->obstacles : obstacles_[i];
+  }
   core::BatchQuery query(std::size_t i, core::InstructionSet set) const {
     return query(batches_[i], set);
   }
@@ -40,7 +42,7 @@ class Lists {
  private:
   SharedScene scene_;
   std::size_t size_;
-  std::vector<std::vector<Obstacle>> obstacles_;
+  std::vector<std::vector<Obstacle>> obstacles_;  // none where one list is all of the scene
   std::vector<ObstacleBatch> batches_;
 };
 
