@@ -2,6 +2,8 @@
 
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <fcl/math/motion/interp_motion.h>
+#include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
 #include <algorithm>
@@ -38,29 +40,45 @@ std::shared_ptr<fcl::CollisionGeometryd> prism(const Polygon& footprint) {
       std::make_shared<const std::vector<int>>(faces), true);
 }
 
-fcl::TranslationMotiond motion(const Vec2& from, const Vec2& to) {
-  return {fcl::Matrix3d::Identity(), Vector3d(from.x(), from.y(), 0), Vector3d(to.x(), to.y(), 0)};
+Vector3d toFcl(const Vec2& v) { return {v.x(), v.y(), 0}; }
+
+fcl::TranslationMotiond translation(const Vec2& from, const Vec2& to) {
+  return {fcl::Matrix3d::Identity(), toFcl(from), toFcl(to)};
+}
+
+fcl::InterpMotion<double> rotation(const Twist& twist) {
+  const Pose pose = poseAt(twist, kHorizon);
+  fcl::Matrix3d turn;
+  turn << pose.cosine, -pose.sine, 0, pose.sine, pose.cosine, 0, 0, 0, 1;
+  return {fcl::Matrix3d::Identity(), Vector3d::Zero(), turn, toFcl(pose.position),
+          toFcl(core::leftNormal(twist.linear) / twist.angular)};
 }
 
 // The default is ten naive steps; conservative advancement is what it has for exact times. Of its
 // two solvers of distances this one is as fast here and the more accurate.
 const fcl::ContinuousCollisionRequestd kRequest(10, 1e-4, fcl::CCDM_TRANS, fcl::GST_INDEP,
                                                 fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+const fcl::TranslationMotiond kStill = translation({0, 0}, {0, 0});
 
 }  // namespace
 
-FclPeer::FclPeer(const std::vector<Polygon>& convex_parts) : still_(motion({0, 0}, {0, 0})) {
-  for (const Polygon& part : convex_parts) prisms_.push_back(prism(part));
+FclPeer::FclPeer(const Scene& scene) : twist_(scene.twist) {
+  for (const Polygon& part : scene.convex_parts) prisms_.push_back(prism(part));
 }
 
-double FclPeer::firstContact(const Motion& circle, double radius) const {
-  fcl::Sphered ball(radius);
+double FclPeer::firstContact(const Disc& disc) const {
+  fcl::Sphered ball(disc.radius);
   double first = kNever;
   for (const auto& prism : prisms_) {
     // A motion remembers how far it was followed, so each part needs a new one.
-    const auto moving = motion(circle.position, circle.positionAt(kHorizon));
+    const auto moving = translation(disc.motion.position, disc.motion.positionAt(kHorizon));
     fcl::ContinuousCollisionResultd result;
-    fcl::continuousCollide<double>(prism.get(), &still_, &ball, &moving, kRequest, result);
+    if (twist_.angular == 0) {
+      fcl::continuousCollide<double>(prism.get(), &kStill, &ball, &moving, kRequest, result);
+    } else {
+      const auto turning = rotation(twist_);
+      fcl::continuousCollide<double>(prism.get(), &turning, &ball, &moving, kRequest, result);
+    }
     if (result.is_collide) first = std::min(first, kHorizon * result.time_of_contact);
   }
   return first;

@@ -10,45 +10,51 @@ namespace footprint_collision_predictor::bench {
 namespace {
 
 void addOurs(const SharedScene& scene, const Group& group) {
-  // One obstacle is a list of one: the list is kept, as a caller would keep it.
-  const auto one = std::make_shared<std::vector<Obstacle>>(1, scene->obstacles.front());
-  group.add("ours", kGuarantee, [scene, one](std::size_t i) {
-    one->front() = scene->obstacles[i];
-    const auto prediction = core::predict(scene->footprint, scene->twist, *one, kHorizon);
-    return prediction.first ? prediction.first->contact.time : kNever;
+  group.add("ours", kGuarantee, [scene](std::size_t i) {
+    const auto first =
+        core::firstContact(scene->footprint, scene->twist, scene->obstacles[i], kHorizon);
+    return first ? first->contact.time : kNever;
+  });
+}
+
+void addBox2d(const SharedScene& scene, const Group& group) {
+  const auto peer = std::make_shared<Box2dPeer>(*scene);
+  group.add("box2d", Box2dPeer::kTolerance, [scene, peer](std::size_t i) {
+    return peer->firstContact(scene->seen(i), scene->obstacles[i].outline());
   });
 }
 
 template <typename Peer>
 void addPeer(const SharedScene& scene, const Group& group, const std::string& name,
              const Tolerance& tolerance, const std::shared_ptr<Peer>& peer) {
-  group.add(name, tolerance, [scene, peer](std::size_t i) {
-    return peer->firstContact(scene->relative(i), scene->obstacles[i].radius());
-  });
+  group.add(name, tolerance,
+            [scene, peer](std::size_t i) { return peer->firstContact(scene->seen(i)); });
 }
 
 void addStepping(const SharedScene& scene, const Group& group, const std::string& name,
                  double step) {
-  const auto peer = std::make_shared<SteppingPeer>(scene->footprint, step);
+  const auto peer = std::make_shared<SteppingPeer>(*scene, step);
   addPeer(scene, group, name, peer->tolerance(), peer);
 }
 
 }  // namespace
 
-void addFootprintBenchmarks(const SharedScene& scene) {
-  const Group group = footprintGroup(*scene);
-  const bool straight = scene->kind == MotionKind::kStraight;
+void addFootprintBenchmarks(const SharedScene& scene, const SceneTruths& truths) {
+  const Group group = footprintGroup(*scene, truths);
+  const Kind kind = scene->kind;
   addOurs(scene, group);
-  if (straight) {  // neither engine has a sweep with acceleration
-    addPeer(scene, group, "box2d", Box2dPeer::kTolerance,
-            std::make_shared<Box2dPeer>(scene->convex_parts));
-    addPeer(scene, group, "fcl", FclPeer::kTolerance,
-            std::make_shared<FclPeer>(scene->convex_parts));
+  // Neither engine has a sweep with acceleration, or a shape that grows.
+  const bool is_swept = kind == Kind::kStraight || kind == Kind::kTurning;
+  if (is_swept || kind == Kind::kWalls) addBox2d(scene, group);
+  if (is_swept)
+    addPeer(scene, group, "fcl", FclPeer::kTolerance, std::make_shared<FclPeer>(*scene));
+  if (kind != Kind::kWalls) {
+    addStepping(scene, group, "steps_0.02s", 0.02);
+    addStepping(scene, group, "steps_0.1s", 0.1);
   }
-  addStepping(scene, group, "steps_0.02s", 0.02);
-  addStepping(scene, group, "steps_0.1s", 0.1);
-  addPeer(scene, group, straight ? "lecture" : "eigen", kGuarantee,
-          std::make_shared<LecturePeer>(segmentsOf(scene->footprint)));
+  if (kind == Kind::kStraight || kind == Kind::kAccelerating)
+    addPeer(scene, group, kind == Kind::kStraight ? "lecture" : "eigen", kGuarantee,
+            std::make_shared<LecturePeer>(segmentsOf(scene->footprint)));
 }
 
 }  // namespace footprint_collision_predictor::bench

@@ -12,7 +12,7 @@ namespace footprint_collision_predictor::bench {
 /// The questions of one scene with their true answers; needed only while methods are added.
 class Group {
  public:
-  Group(std::string name, std::vector<Question> questions);
+  Group(std::string name, std::vector<Question> questions, std::vector<Truth> truths);
 
   /// \param answer double(std::size_t): first contact of question i, or kNever
   template <typename Answer>
@@ -24,12 +24,12 @@ class Group {
  private:
   std::string name_;
   std::vector<Question> questions_;
-  std::vector<double> truths_;
+  std::vector<Truth> truths_;
 };
 
 /// The whole footprint against one obstacle at a time.
-Group footprintGroup(const Scene& scene);
+Group footprintGroup(const Scene& scene, const SceneTruths& truths);
 /// One segment against one obstacle: the segments take turns.
-Group segmentGroup(const Scene& scene);
+Group segmentGroup(const Scene& scene, const SceneTruths& truths);
 
 }  // namespace footprint_collision_predictor::bench

@@ -36,7 +36,7 @@ double quarticEnd(const Vec2& p, const Vec2& v, const Vec2& a, double radius) {
   return earliest(roots);
 }
 
-double timeToEnd(const Vec2& end, const Motion& m, double radius) {
+double timeToEnd(const Vec2& end, const core::Motion& m, double radius) {
   const Vec2 p = m.position - end;
   if (p.squaredNorm() <= radius * radius) return 0;
   if (!m.acceleration.isZero(0)) return quarticEnd(p, m.velocity, m.acceleration, radius);
@@ -44,7 +44,7 @@ double timeToEnd(const Vec2& end, const Motion& m, double radius) {
                             p.squaredNorm() - radius * radius));
 }
 
-double timeToInside(const Segment& segment, const Motion& m, double radius) {
+double timeToInside(const Segment& segment, const core::Motion& m, double radius) {
   const Vec2 along = segment.end - segment.start;
   const double angle = std::atan2(along.y(), along.x());
   const double c = std::cos(angle), s = std::sin(angle);
@@ -52,8 +52,8 @@ double timeToInside(const Segment& segment, const Motion& m, double radius) {
     return Vec2{c * v.x() + s * v.y(), c * v.y() - s * v.x()};
   };
   const double length = turned(along).x();
-  const Motion local{turned(m.position - segment.start), turned(m.velocity),
-                     turned(m.acceleration)};
+  const core::Motion local{turned(m.position - segment.start), turned(m.velocity),
+                           turned(m.acceleration)};
   const auto is_inside = [&](double x) { return x >= 0 && x <= length; };
   if (is_inside(local.position.x()) && std::abs(local.position.y()) <= radius) return 0;
   double first = kNever;
@@ -68,7 +68,9 @@ double timeToInside(const Segment& segment, const Motion& m, double radius) {
 
 LecturePeer::LecturePeer(std::vector<Segment> segments) : segments_(std::move(segments)) {}
 
-double LecturePeer::firstContact(const Motion& circle, double radius) const {
+double LecturePeer::firstContact(const Disc& disc) const {
+  const core::Motion& circle = disc.motion;
+  const double radius = disc.radius;
   double first = kNever;
   for (const Segment& segment : segments_)
     first = std::min(

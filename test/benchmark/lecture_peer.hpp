@@ -16,7 +16,7 @@ class LecturePeer {
   explicit LecturePeer(std::vector<Segment> segments);
 
   /// First contact with any of the segments. An end that two neighbours share is asked once.
-  double firstContact(const Motion& circle, double radius) const;
+  double firstContact(const Disc& disc) const;
 
  private:
   std::vector<Segment> segments_;

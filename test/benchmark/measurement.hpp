@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <string>
 
 #include "score.hpp"
@@ -26,19 +26,27 @@ inline void report(const Score& score, const Tolerance& tolerance, std::size_t q
   counters["tolerance_s"] = tolerance.time;
 }
 
-/// How often to go through all inputs in one repetition: long enough for the clock and the
-/// scheduler not to matter, and every input equally often.
+/// How often to go through all inputs in one repetition, and how many of these to make.
+struct Effort {
+  benchmark::IterationCount passes;
+  int repetitions;
+};
+
+/// Long enough for the clock and the scheduler not to matter, and every input equally often. What
+/// takes long by itself is repeated less often.
 template <typename Call>
-benchmark::IterationCount passes(std::size_t inputs, const Call& call) {
-  constexpr double kSeconds = 0.05;
+Effort effortFor(std::size_t inputs, const Call& call) {
+  constexpr double kSeconds = 0.02;
+  constexpr double kLong = 0.2;  // [s]
   constexpr std::size_t kSample = 4096;
   const std::size_t sample = std::min(inputs, kSample);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // of the processor: others may be busy, too
   for (std::size_t i = 0; i < sample; ++i) benchmark::DoNotOptimize(call(i));
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const double one_pass = took.count() * static_cast<double>(inputs) / static_cast<double>(sample);
-  return std::max<benchmark::IterationCount>(
-      1, static_cast<benchmark::IterationCount>(kSeconds / one_pass));
+  const double took = static_cast<double>(std::clock() - start + 1) / CLOCKS_PER_SEC;
+  const double one_pass = took * static_cast<double>(inputs) / static_cast<double>(sample);
+  return {std::max<benchmark::IterationCount>(
+              1, static_cast<benchmark::IterationCount>(kSeconds / one_pass)),
+          one_pass < kLong ? 5 : 3};
 }
 
 /// \param call anything(std::size_t input), as its own type: a std::function would cost a fast
@@ -54,13 +62,10 @@ void addMeasurement(const std::string& name, std::size_t inputs, std::size_t que
     }
     report(score, tolerance, queries, &state);
   };
+  const Effort effort = effortFor(inputs, call);
   benchmark::RegisterBenchmark(name.c_str(), measure)
-      ->Iterations(passes(inputs, call) * static_cast<benchmark::IterationCount>(inputs));
-}
-
-/// "footprint/straight/8": what is asked, of which scene.
-inline std::string pathOf(const std::string& what, const Scene& scene) {
-  return what + "/" + nameOf(scene.kind) + "/" + scene.name;
+      ->Iterations(effort.passes * static_cast<benchmark::IterationCount>(inputs))
+      ->Repetitions(effort.repetitions);
 }
 
 }  // namespace footprint_collision_predictor::bench

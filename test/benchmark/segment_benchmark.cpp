@@ -5,20 +5,20 @@
 
 namespace footprint_collision_predictor::bench {
 
-void addSegmentBenchmarks(const SharedScene& scene) {
-  const Group group = segmentGroup(*scene);
+void addSegmentBenchmarks(const SharedScene& scene, const SceneTruths& truths) {
+  const Group group = segmentGroup(*scene, truths);
   const std::vector<Segment> segments = segmentsOf(scene->footprint);
   group.add("ours", kGuarantee, [scene, segments](std::size_t i) {
-    const auto contact = core::timeToCollision(segments[i % segments.size()], scene->relative(i),
-                                               scene->obstacles[i].radius(), kHorizon);
+    const auto contact =
+        core::timeToCollision(segments[i % segments.size()], scene->seen(i), kHorizon);
     return contact ? contact->time : kNever;
   });
   std::vector<LecturePeer> peers;
   for (const Segment& segment : segments) peers.push_back(LecturePeer({segment}));
-  const bool straight = scene->kind == MotionKind::kStraight;
-  group.add(straight ? "lecture" : "eigen", kGuarantee, [scene, peers](std::size_t i) {
-    return peers[i % peers.size()].firstContact(scene->relative(i), scene->obstacles[i].radius());
-  });
+  group.add(scene->kind == Kind::kStraight ? "lecture" : "eigen", kGuarantee,
+            [scene, peers](std::size_t i) {
+              return peers[i % peers.size()].firstContact(scene->seen(i));
+            });
 }
 
 }  // namespace footprint_collision_predictor::bench

@@ -5,12 +5,21 @@
 
 namespace footprint_collision_predictor::bench {
 
-SteppingPeer::SteppingPeer(const Polygon& footprint, double step) : step_(step) {
-  for (std::size_t i = 0; i < footprint.size(); ++i) {
-    const Segment segment = footprint.segment(i);
+SteppingPeer::SteppingPeer(const Scene& scene, double step)
+    : turns_(scene.twist.angular != 0), step_(step) {
+  for (std::size_t i = 0; i < scene.footprint.size(); ++i) {
+    const Segment segment = scene.footprint.segment(i);
     const Vec2 direction = segment.end - segment.start;
     edges_.push_back({segment.start, direction, 1 / direction.squaredNorm()});
   }
+  const long steps = std::lround(kHorizon / step);
+  for (long i = 0; i <= steps; ++i)
+    poses_.push_back(poseAt(scene.twist, static_cast<double>(i) * step));
+}
+
+Vec2 SteppingPeer::centreAt(const Disc& disc, std::size_t step) const {
+  const Vec2 centre = disc.motion.positionAt(static_cast<double>(step) * step_);
+  return turns_ ? poses_[step].toFrame(centre) : centre;
 }
 
 bool SteppingPeer::touches(const Vec2& centre, double radius_squared) const {
@@ -27,10 +36,12 @@ bool SteppingPeer::touches(const Vec2& centre, double radius_squared) const {
   return inside;
 }
 
-double SteppingPeer::firstContact(const Motion& circle, double radius) const {
-  const int steps = static_cast<int>(std::lround(kHorizon / step_));
-  for (int i = 0; i <= steps; ++i)
-    if (touches(circle.positionAt(i * step_), radius * radius)) return i * step_;
+double SteppingPeer::firstContact(const Disc& disc) const {
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const double t = static_cast<double>(i) * step_;
+    const double radius = disc.radiusAt(t);
+    if (touches(centreAt(disc, i), radius * radius)) return t;
+  }
   return kNever;
 }
 

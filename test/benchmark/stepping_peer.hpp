@@ -8,13 +8,15 @@
 namespace footprint_collision_predictor::bench {
 
 /// Written to be quick: edges prepared once, squared distances, no division, ends at the first hit.
+/// A footprint that turns is carried along the exact arc: its pose at each step is known before, as
+/// all obstacles share it, and the disc is brought into its frame.
 class SteppingPeer {
  public:
-  SteppingPeer(const Polygon& footprint, double step);
+  SteppingPeer(const Scene& scene, double step);
 
   /// Late by up to a step is what it promises; a touch between two steps is a miss all the same.
   Tolerance tolerance() const { return {0, 1e-9, step_}; }
-  double firstContact(const Motion& circle, double radius) const;
+  double firstContact(const Disc& disc) const;
 
  private:
   struct Edge {
@@ -25,7 +27,11 @@ class SteppingPeer {
 
   bool touches(const Vec2& centre, double radius_squared) const;
 
+  Vec2 centreAt(const Disc& disc, std::size_t step) const;
+
   std::vector<Edge> edges_;
+  std::vector<Pose> poses_;
+  bool turns_;
   double step_;
 };
 
