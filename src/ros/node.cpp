@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace footprint_collision_predictor {
@@ -16,6 +17,8 @@ constexpr std::uint32_t kQueueSize = 100;
 // come.
 constexpr double kPollPeriod = 1e-3;
 
+constexpr double kReportPeriod = 0.1;  // [s] of what the diagnostics are made of
+
 Parameters parametersOf(const ros::NodeHandle& private_node) {
   XmlRpc::XmlRpcValue values;
   private_node.getParam(private_node.getNamespace(), values);
@@ -24,9 +27,12 @@ Parameters parametersOf(const ros::NodeHandle& private_node) {
 
 Moment now() { return {ros::Time::now(), ros::SteadyTime::now()}; }
 
-RawMessage rawOf(const topic_tools::ShapeShifter& shape_shifter) {
+using Event = ros::MessageEvent<topic_tools::ShapeShifter const>;
+
+RawMessage rawOf(const Event& event) {
+  const topic_tools::ShapeShifter& shape_shifter = *event.getConstMessage();
   RawMessage raw{shape_shifter.getDataType(), shape_shifter.getMD5Sum(),
-                 std::vector<std::uint8_t>(shape_shifter.size())};
+                 std::vector<std::uint8_t>(shape_shifter.size()), event.getPublisherName()};
   ros::serialization::OStream stream(raw.bytes.data(), shape_shifter.size());
   shape_shifter.write(stream);
   return raw;
@@ -54,7 +60,7 @@ Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
                 {node_.resolveName("obstacles"), node_.resolveName("footprint"),
                  node_.resolveName("odom")},
                 tf_, ros::Time::isSimTime(), [this](const Answer& answer) { publish(answer); }),
-      diagnostics_(node_, private_node_, warnings_) {
+      diagnostics_(node_, private_node_, warnings_, master_, report(now())) {
   node_.setCallbackQueue(&queue_);
   addInput("obstacles", &Pipeline::receiveObstacles);
   if (!parameters_.footprint) addInput("footprint", &Pipeline::receiveFootprint);
@@ -105,19 +111,21 @@ void Node::subscribeTransforms(const std::string& topic, bool fixed) {
 
 void Node::publish(const Answer& answer) {
   if (answer.prediction) predictions_.publish(*answer.prediction);
-  const double elapsed = secondsBetween(answer.now.steady, ros::SteadyTime::now());
+  const ros::SteadyTime finished = ros::SteadyTime::now();
+  const double elapsed = secondsBetween(answer.now.steady, finished);
+  const bool evaluated = !std::isnan(answer.warning.clearance);
+  if (evaluated) times_.add(elapsed, 1 / parameters_.heartbeat_rate, finished);
   warnings_.publish(finishedAfter(elapsed, answer.warning, parameters_));
 }
 
 /// Raw, so that the node sees every type and every malformed message itself.
 void Node::subscribe(Input& input) {
-  const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
-      [this, &input](const topic_tools::ShapeShifter::ConstPtr& message) {
-        input.connected = true;
-        guarded([&] { (pipeline_.*input.receive)(rawOf(*message), now()); });
-      };
-  input.subscriber = node_.subscribe<topic_tools::ShapeShifter>(
-      input.topic, kQueueSize, callback, {}, ros::TransportHints().tcpNoDelay());
+  const boost::function<void(const Event&)> callback = [this, &input](const Event& event) {
+    input.connected = true;
+    guarded([&] { (pipeline_.*input.receive)(rawOf(event), now()); });
+  };
+  input.subscriber = node_.subscribe<topic_tools::ShapeShifter, const Event&>(
+      input.topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
 /// roscpp keeps even a raw subscription to the type of the first publisher it met: publishers of
@@ -147,11 +155,29 @@ void Node::work() {
       pipeline_.process(now());
       if (ros::SteadyTime::now() < next) return;
       next = std::max(next + period, ros::SteadyTime::now());
-      const Moment then = now();
-      publish({pipeline_.repeat(then), {}, then});
-      renewAbandonedInputs();
+      goRound(now());
     });
   }
+}
+
+/// What is done once in a period of the heartbeat, besides taking in messages.
+void Node::goRound(const Moment& now) {
+  publish({pipeline_.repeat(now), {}, now});
+  renewAbandonedInputs();
+  if (secondsBetween(last_report_, now.steady) < kReportPeriod) return;
+  last_report_ = now.steady;
+  const MasterView master = master_.view();
+  pipeline_.setRegistered([&](const std::string& topic) {
+    const auto found = master.publishers.find(topic);
+    return found == master.publishers.end() ? std::vector<std::string>() : found->second;
+  });
+  diagnostics_.update(report(now));
+}
+
+Report Node::report(const Moment& now) const {
+  Report report = pipeline_.report(now);
+  report.computation = times_.report(1 / parameters_.heartbeat_rate, now.steady);
+  return report;
 }
 
 /// Steps in when the worker has been silent: with its newest result while it may just be late, and

@@ -16,6 +16,8 @@
 #include <thread>
 
 #include "diagnostics.hpp"
+#include "evaluation_times.hpp"
+#include "master_watch.hpp"
 #include "pipeline.hpp"
 #include "warning_publisher.hpp"
 
@@ -48,7 +50,9 @@ class Node {
   void subscribeTransforms(const std::string& topic, bool fixed);
   void takeTransforms(const tf2_msgs::TFMessage& message, bool fixed);
   void publish(const Answer& answer);
+  Report report(const Moment& now) const;
   void work();
+  void goRound(const Moment& now);
   void beat();
   void guarded(const std::function<void()>& step);
 
@@ -61,7 +65,10 @@ class Node {
   tf2::BufferCore tf_;
 
   Pipeline pipeline_;
+  EvaluationTimes times_;
+  MasterWatch master_;
   Diagnostics diagnostics_;
+  ros::SteadyTime last_report_;
   std::list<Input> inputs_;  // whose addresses stay
   std::vector<ros::Subscriber> transform_subscribers_;
 

@@ -21,6 +21,7 @@ Pipeline::Pipeline(const Parameters& parameters, const InputNames& names, tf2::B
 
 void Pipeline::receiveObstacles(const RawMessage& raw, const Moment& now) {
   watchClock(now);
+  inputs_.receive(InputKind::kObstacles, raw, now);
   Findings problem;
   auto message = decodedOrRefused(
       [&] { return decodeObstacles(raw, parameters_); },
@@ -29,12 +30,13 @@ void Pipeline::receiveObstacles(const RawMessage& raw, const Moment& now) {
   if (message)
     queue_.push({now, std::move(*message)});
   else
-    queue_.push({now, Refusal{problem, Refusal::Of::kObstacles}});
+    queue_.push({now, Refusal{problem, InputKind::kObstacles}});
   process(now);
 }
 
 void Pipeline::receiveFootprint(const RawMessage& raw, const Moment& now) {
   watchClock(now);
+  inputs_.receive(InputKind::kFootprint, raw, now);
   Findings problem;
   auto message = decodedOrRefused(
       [&] { return decodeFootprint(raw, parameters_.max_vertices); },
@@ -43,18 +45,19 @@ void Pipeline::receiveFootprint(const RawMessage& raw, const Moment& now) {
   if (message)
     queue_.push({now, std::move(*message)});
   else
-    queue_.push({now, Refusal{problem, Refusal::Of::kFootprint}});
+    queue_.push({now, Refusal{problem, InputKind::kFootprint}});
   process(now);
 }
 
 void Pipeline::receiveOdometry(const RawMessage& raw, const Moment& now) {
   watchClock(now);
+  inputs_.receive(InputKind::kOdometry, raw, now);
   Findings problem;
   const auto message = decodedOrRefused(
       [&] { return decodeOdometry(raw); },
       {names_.odom, Warning::REASON_ODOM_INVALID, Warning::REASON_ODOM_INVALID}, problem);
   if (message) problem = odometryFindings(*message, now, largest_odometry_lead_, names_.odom);
-  if (problem.makeUnknown()) return inputs_.refuseOdometry(problem);
+  if (problem.makeUnknown()) return inputs_.refuse(InputKind::kOdometry, problem, now);
   const auto& twist = message->twist.twist;
   const std::string& frame = message->child_frame_id;
   inputs_.acceptOdometry({message->header.stamp,
@@ -84,11 +87,11 @@ void Pipeline::watchClock(const Moment& now) {
 
 void Pipeline::take(const Waiting& waiting, const Moment& now) try {
   if (const auto* refusal = std::get_if<Refusal>(&waiting.message)) {
-    if (refusal->of == Refusal::Of::kObstacles) return refuse(refusal->why, now);
-    return inputs_.refuseFootprint(refusal->why);
+    if (refusal->of == InputKind::kObstacles) return refuse(refusal->why, now);
+    return inputs_.refuse(refusal->of, refusal->why, now);
   }
   if (const auto* footprint = std::get_if<geometry_msgs::PolygonStamped>(&waiting.message))
-    return adopt(*footprint);
+    return adopt(*footprint, waiting.arrived, now);
   evaluate(std::get<ObstacleArray>(waiting.message), waiting.arrived, now);
 } catch (const std::exception& error) {
   // Nothing throws here as far as is known; if something does, it must not look like nothing.
@@ -101,6 +104,8 @@ void Pipeline::take(const Waiting& waiting, const Moment& now) try {
 
 void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, const Moment& now) {
   const ros::Time& stamp = message.header.stamp;
+  obstacles_frame_ = message.header.frame_id;
+  waited_ = secondsBetween(arrived.steady, now.steady);
   const Findings unusable =
       headerFindings(message.header, arrived, now, parameters_.max_data_age, names_.obstacles);
   if (unusable.makeUnknown()) return refuse(unusable, now);
@@ -123,7 +128,7 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   const Counts counts = newest && newest->ros == stamp ? Counts::kAsReplacement : Counts::kAsNew;
   Findings findings = inputs_.tooOld(now, scene_ ? scene_->odometry : std::nullopt);
   const bool usable = scene_ && !findings.makeUnknown();
-  findings.add(inputs_.standing());
+  findings.add(inputs_.standing(now));
   if (!usable) return publish_({warning(nullptr, stamp, findings, now, counts), {}, now});
   findings.add(scene_->findings);
   const Evaluated evaluated{*scene_, core::predict(scene_->footprint, scene_->twist,
@@ -132,7 +137,8 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   publish_({warning(&evaluated, stamp, findings, now, counts), prediction, now});
 }
 
-void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
+void Pipeline::adopt(const geometry_msgs::PolygonStamped& message, const Moment& arrived,
+                     const Moment& now) {
   const std_msgs::Header& header = message.header;
   Findings problem;
   try {
@@ -140,7 +146,8 @@ void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
     if (header.stamp.isZero() && header.frame_id != parameters_.base_frame)
       throw TransformError("its stamp is 0, so its place on the robot is not known");
     const PlanarPose body = lookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp);
-    inputs_.acceptFootprint(core::Polygon(toCore(message.polygon, body)));
+    inputs_.acceptFootprint(core::Polygon(toCore(message.polygon, body)),
+                            {header.stamp, arrived.steady});
     if (scene_) scene_->footprint = *inputs_.footprint();
     return;
   } catch (const TransformError& error) {
@@ -150,19 +157,19 @@ void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
     problem.add(Warning::REASON_FOOTPRINT_INVALID,
                 "the footprint on " + names_.footprint + " is refused: " + error.what());
   }
-  inputs_.refuseFootprint(problem);
+  inputs_.refuse(InputKind::kFootprint, problem, now);
 }
 
 /// The last good message stays predicted, but the level is at least UNKNOWN until a good one comes.
 void Pipeline::refuse(const Findings& why, const Moment& now) {
-  inputs_.refuseObstacles(why);
+  inputs_.refuse(InputKind::kObstacles, why, now);
   publish_({warningNow(now, Counts::kAsNew), {}, now});
 }
 
 CollisionWarning Pipeline::warningNow(const Moment& now, Counts counts, Findings findings) {
   findings.add(inputs_.tooOld(now, scene_ ? scene_->odometry : std::nullopt));
   const bool usable = scene_ && !findings.makeUnknown();
-  findings.add(inputs_.standing());
+  findings.add(inputs_.standing(now));
   if (!usable) return warning(nullptr, now.ros, findings, now, counts);
   findings.add(scene_->findings);
   // Without known motions nothing can be carried on: what touched at the stamp is all that is

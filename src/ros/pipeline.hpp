@@ -11,6 +11,7 @@
 #include "message_decoding.hpp"
 #include "moment.hpp"
 #include "parameters.hpp"
+#include "report.hpp"
 #include "scene.hpp"
 #include "waiting_queue.hpp"
 #include "warning_message.hpp"
@@ -43,12 +44,20 @@ class Pipeline {
   /// The warning as of now, between messages: robot and obstacles are carried on from their stamp.
   CollisionWarning repeat(const Moment& now);
 
+  /// \param publishers_of the nodes that the master knows as publishers of a topic
+  void setRegistered(const Inputs::PublishersOf& publishers_of) {
+    inputs_.setRegistered(publishers_of);
+  }
+  Report report(const Moment& now) const;
+
  private:
   void watchClock(const Moment& now);
   void take(const Waiting& waiting, const Moment& now);
   void evaluate(const ObstacleArray& message, const Moment& arrived, const Moment& now);
-  void adopt(const geometry_msgs::PolygonStamped& message);
+  void adopt(const geometry_msgs::PolygonStamped& message, const Moment& arrived,
+             const Moment& now);
   void refuse(const Findings& why, const Moment& now);
+  TransformReport transformReport(const Moment& now) const;
 
   enum class Counts { kNot, kAsNew, kAsReplacement };
   CollisionWarning warningNow(const Moment& now, Counts counts, Findings findings = {});
@@ -65,7 +74,9 @@ class Pipeline {
   Inputs inputs_;
   core::LevelHold hold_;
   WaitingQueue queue_;
-  std::optional<Scene> scene_;  // of the last good obstacles message
+  std::optional<Scene> scene_;   // of the last good obstacles message
+  std::string obstacles_frame_;  // of the last one, good or not
+  double waited_ = 0;            // [s] that it waited for its transform and odometry
 };
 
 }  // namespace footprint_collision_predictor
