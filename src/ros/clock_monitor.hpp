@@ -23,6 +23,7 @@ class ClockMonitor {
   /// \param longest_stop [s] of steady time for which it may
   ClockMonitor(bool simulated, double longest_stop);
 
+  void setLongestStop(double seconds) { longest_stop_ = seconds; }
   /// \return true when the ROS clock has jumped back since the last call
   bool jumpedBack(const Moment& now);
   Findings findings(const Moment& now) const;

@@ -121,4 +121,22 @@ void describe(const MasterView& master, Status& status) {
   status.add("since last answer [s]", master.since_answer);
 }
 
+void describe(const ConfigurationReport& configuration, Status& status) {
+  if (configuration.refusal.empty())
+    status.summary(DiagnosticStatus::OK, "valid");
+  else
+    status.summary(DiagnosticStatus::WARN,
+                   "the last change was refused, the old values stay: " + configuration.refusal);
+  const PredictorConfig& config = configuration.config;
+  status.add("horizon [s]", config.horizon);
+  status.add("warn time [s]", config.warn_time);
+  status.add("critical time [s]", config.critical_time);
+  status.add("clear after", config.clear_after);
+  status.add("max data age [s]", config.max_data_age);
+  status.add("transform tolerance [s]", config.transform_tolerance);
+  status.add("heartbeat rate [Hz]", config.heartbeat_rate);
+  status.add("max obstacles", config.max_obstacles);
+  status.add("changes refused", configuration.refused);
+}
+
 }  // namespace footprint_collision_predictor

@@ -6,6 +6,7 @@
 
 #include "footprint_collision_predictor/CollisionWarning.h"
 #include "master_watch.hpp"
+#include "reconfiguration.hpp"
 #include "report.hpp"
 
 namespace footprint_collision_predictor {
@@ -19,5 +20,6 @@ void describeTransforms(const Report& report, Status& status);
 void describe(const ComputationReport& computation, double max_data_age, Status& status);
 void describe(const ClockReport& clock, Status& status);
 void describe(const MasterView& master, Status& status);
+void describe(const ConfigurationReport& configuration, Status& status);
 
 }  // namespace footprint_collision_predictor

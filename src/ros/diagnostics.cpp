@@ -13,15 +13,13 @@ constexpr double kOldReport = 1;  // [s] The worker reports many times as often.
 }  // namespace
 
 Diagnostics::Diagnostics(ros::NodeHandle& node, ros::NodeHandle& private_node,
-                         const WarningPublisher& warnings, const MasterWatch& master,
-                         const Report& first)
-    : warnings_(warnings),
-      master_(master),
-      report_(first),
-      updater_(node, private_node, private_node.getNamespace()) {
+                         const Sources& sources, const Report& first)
+    : sources_(sources), report_(first), updater_(node, private_node, private_node.getNamespace()) {
   updater_.setHardwareID("none");
-  updater_.add("collision", [this](Status& status) { describe(warnings_.last(), status); });
-  updater_.add("master", [this](Status& status) { describe(master_.view(), status); });
+  updater_.add("collision", [this](Status& status) { describe(sources_.warnings.last(), status); });
+  updater_.add("master", [this](Status& status) { describe(sources_.master.view(), status); });
+  updater_.add("configuration",
+               [this](Status& status) { describe(sources_.reconfiguration.report(), status); });
   add("obstacles", [](const Report& r, Status& status) { describe(r.obstacles, status); });
   if (first.footprint)
     add("footprint", [](const Report& r, Status& status) { describe(*r.footprint, status); });

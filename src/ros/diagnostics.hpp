@@ -8,6 +8,7 @@
 #include <string>
 
 #include "master_watch.hpp"
+#include "reconfiguration.hpp"
 #include "report.hpp"
 #include "warning_publisher.hpp"
 
@@ -15,10 +16,17 @@ namespace footprint_collision_predictor {
 
 class Diagnostics {
  public:
-  /// \param warnings, master outlive this
+  /// What is asked directly, since it answers from any thread.
+  struct Sources {
+    const WarningPublisher& warnings;
+    const MasterWatch& master;
+    const Reconfiguration& reconfiguration;
+  };
+
+  /// \param sources outlive this
   /// \param first tells which inputs there are
-  Diagnostics(ros::NodeHandle& node, ros::NodeHandle& private_node,
-              const WarningPublisher& warnings, const MasterWatch& master, const Report& first);
+  Diagnostics(ros::NodeHandle& node, ros::NodeHandle& private_node, const Sources& sources,
+              const Report& first);
 
   /// What to say from now on; thread-safe.
   void update(const Report& report);
@@ -38,8 +46,7 @@ class Diagnostics {
     void addedTaskCallback(DiagnosticTaskInternal&) override {}
   };
 
-  const WarningPublisher& warnings_;
-  const MasterWatch& master_;
+  const Sources sources_;
   std::mutex mutex_;
   Report report_;
   Updater updater_;

@@ -20,6 +20,11 @@ Inputs::Inputs(const Parameters& parameters, const InputNames& names, bool simul
       odometries_(names.odom),
       footprint_(parameters.footprint) {}
 
+void Inputs::reconfigure(const Parameters& parameters) {
+  parameters_ = parameters;
+  clock_.setLongestStop(parameters.max_data_age);
+}
+
 bool Inputs::forgetIfClockJumpedBack(const Moment& now) {
   if (!clock_started_ && !now.ros.isZero()) {
     clock_started_ = true;

@@ -27,6 +27,9 @@ class Inputs {
  public:
   Inputs(const Parameters& parameters, const InputNames& names, bool simulated_clock);
 
+  /// \param parameters of which only those may differ that can be changed live
+  void reconfigure(const Parameters& parameters);
+
   /// A looped recording or restarted simulator: all that belongs to the old time goes.
   /// \return whether the clock has jumped back since the last call
   bool forgetIfClockJumpedBack(const Moment& now);
@@ -75,7 +78,7 @@ class Inputs {
   double ageOf(const InputRecord& input, const Moment& now) const;
   double odometryAge(const Moment& now, const std::optional<OdometrySample>& sample) const;
 
-  const Parameters parameters_;
+  Parameters parameters_;
   ClockMonitor clock_;
   bool clock_started_ = false;
   InputRecord obstacles_;

@@ -19,10 +19,10 @@ constexpr double kPollPeriod = 1e-3;
 
 constexpr double kReportPeriod = 0.1;  // [s] of what the diagnostics are made of
 
-Parameters parametersOf(const ros::NodeHandle& private_node) {
+XmlRpc::XmlRpcValue valuesOf(const ros::NodeHandle& private_node) {
   XmlRpc::XmlRpcValue values;
   private_node.getParam(private_node.getNamespace(), values);
-  return parametersFrom(values);
+  return values;
 }
 
 Moment now() { return {ros::Time::now(), ros::SteadyTime::now()}; }
@@ -51,20 +51,26 @@ CollisionWarning unknown(const Parameters& parameters, const std::string& why) {
 }  // namespace
 
 Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : parameters_(parametersOf(private_node)),
+    : Node(node, private_node, valuesOf(private_node)) {}
+
+Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+           const XmlRpc::XmlRpcValue& values)
+    : parameters_(parametersFrom(values)),
+      used_(parameters_.get()),
       node_(node),
       private_node_(private_node),
       predictions_(node_.advertise<CollisionPrediction>("collision_prediction", kQueueSize)),
       warnings_(node_),
-      pipeline_(parameters_,
+      pipeline_(*used_,
                 {node_.resolveName("obstacles"), node_.resolveName("footprint"),
                  node_.resolveName("odom")},
                 tf_, ros::Time::isSimTime(), [this](const Answer& answer) { publish(answer); }),
-      diagnostics_(node_, private_node_, warnings_, master_, report(now())) {
+      reconfiguration_(private_node_, values, [this](const Parameters& p) { parameters_.set(p); }),
+      diagnostics_(node_, private_node_, {warnings_, master_, reconfiguration_}, report(now())) {
   node_.setCallbackQueue(&queue_);
   addInput("obstacles", &Pipeline::receiveObstacles);
-  if (!parameters_.footprint) addInput("footprint", &Pipeline::receiveFootprint);
-  if (parameters_.ego_motion == EgoMotion::kOdom) addInput("odom", &Pipeline::receiveOdometry);
+  if (!used_->footprint) addInput("footprint", &Pipeline::receiveFootprint);
+  if (used_->ego_motion == EgoMotion::kOdom) addInput("odom", &Pipeline::receiveOdometry);
   subscribeTransforms("/tf", false);
   subscribeTransforms("/tf_static", true);
   worker_ = std::thread(&Node::work, this);
@@ -109,13 +115,20 @@ void Node::subscribeTransforms(const std::string& topic, bool fixed) {
       node_.subscribe<tf2_msgs::TFMessage>(topic, kQueueSize, callback));
 }
 
+void Node::takeNewParameters() {
+  const auto newest = parameters_.get();
+  if (newest == used_) return;
+  used_ = newest;
+  pipeline_.reconfigure(*used_);
+}
+
 void Node::publish(const Answer& answer) {
   if (answer.prediction) predictions_.publish(*answer.prediction);
   const ros::SteadyTime finished = ros::SteadyTime::now();
   const double elapsed = secondsBetween(answer.now.steady, finished);
   const bool evaluated = !std::isnan(answer.warning.clearance);
-  if (evaluated) times_.add(elapsed, 1 / parameters_.heartbeat_rate, finished);
-  warnings_.publish(finishedAfter(elapsed, answer.warning, parameters_));
+  if (evaluated) times_.add(elapsed, 1 / used_->heartbeat_rate, finished);
+  warnings_.publish(finishedAfter(elapsed, answer.warning, *used_));
 }
 
 /// Raw, so that the node sees every type and every malformed message itself.
@@ -144,10 +157,11 @@ void Node::renewAbandonedInputs() {
 }
 
 void Node::work() {
-  const ros::WallDuration period(1 / parameters_.heartbeat_rate);
   ros::SteadyTime next = ros::SteadyTime::now();
   while (running_) {
     progress_ = ros::SteadyTime::now().toNSec();
+    takeNewParameters();
+    const ros::WallDuration period(1 / used_->heartbeat_rate);
     const double left = secondsBetween(ros::SteadyTime::now(), next);
     const double wait = pipeline_.isWaiting() ? std::min(left, kPollPeriod) : left;
     queue_.callAvailable(ros::WallDuration(std::max(0.0, wait)));
@@ -176,23 +190,26 @@ void Node::goRound(const Moment& now) {
 
 Report Node::report(const Moment& now) const {
   Report report = pipeline_.report(now);
-  report.computation = times_.report(1 / parameters_.heartbeat_rate, now.steady);
+  report.computation = times_.report(1 / used_->heartbeat_rate, now.steady);
   return report;
 }
 
 /// Steps in when the worker has been silent: with its newest result while it may just be late, and
 /// with UNKNOWN when it has not come round for so long that it must be taken to hang.
 void Node::beat() {
-  const double period = 1 / parameters_.heartbeat_rate;
-  const double patience = std::max(2 * period, 0.1);
+  auto parameters = parameters_.get();
   const auto stopped = [this] { return !running_; };
   std::unique_lock<std::mutex> lock(stop_mutex_);
-  while (!stop_.wait_for(lock, std::chrono::duration<double>(period), stopped)) {
+  while (!stop_.wait_for(lock, std::chrono::duration<double>(1 / parameters->heartbeat_rate),
+                         stopped)) {
+    parameters = parameters_.get();
+    const double period = 1 / parameters->heartbeat_rate;
+    const double patience = std::max(2 * period, 0.1);
     warnings_.publishIfSilent(1.5 * period, [&](const CollisionWarning& last, double silence) {
       const std::uint64_t progress = progress_;  // first, so that the difference is not negative
       const double hang = 1e-9 * static_cast<double>(ros::SteadyTime::now().toNSec() - progress);
-      if (hang <= patience) return olderBy(silence, last, parameters_);
-      return unknown(parameters_, "no evaluation has finished for " + std::to_string(hang) +
+      if (hang <= patience) return olderBy(silence, last, *parameters);
+      return unknown(*parameters, "no evaluation has finished for " + std::to_string(hang) +
                                       " s: too many obstacles, or an overloaded machine");
     });
   }
@@ -202,7 +219,7 @@ void Node::guarded(const std::function<void()>& step) try {
   step();
 } catch (const std::exception& error) {
   ROS_ERROR_STREAM_THROTTLE(1, "an evaluation failed: " << error.what());
-  warnings_.publish(unknown(parameters_, std::string("an evaluation failed: ") + error.what()));
+  warnings_.publish(unknown(*used_, std::string("an evaluation failed: ") + error.what()));
 }
 
 }  // namespace footprint_collision_predictor

@@ -11,14 +11,17 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 
 #include "diagnostics.hpp"
 #include "evaluation_times.hpp"
+#include "live_parameters.hpp"
 #include "master_watch.hpp"
 #include "pipeline.hpp"
+#include "reconfiguration.hpp"
 #include "warning_publisher.hpp"
 
 namespace footprint_collision_predictor {
@@ -35,6 +38,9 @@ class Node {
   Node& operator=(const Node&) = delete;
 
  private:
+  Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+       const XmlRpc::XmlRpcValue& values);
+
   using Receive = void (Pipeline::*)(const RawMessage&, const Moment&);
 
   struct Input {
@@ -49,6 +55,7 @@ class Node {
   void renewAbandonedInputs();
   void subscribeTransforms(const std::string& topic, bool fixed);
   void takeTransforms(const tf2_msgs::TFMessage& message, bool fixed);
+  void takeNewParameters();
   void publish(const Answer& answer);
   Report report(const Moment& now) const;
   void work();
@@ -56,7 +63,8 @@ class Node {
   void beat();
   void guarded(const std::function<void()>& step);
 
-  const Parameters parameters_;
+  LiveParameters parameters_;
+  std::shared_ptr<const Parameters> used_;  // by the pipeline
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   ros::CallbackQueue queue_;
@@ -67,6 +75,7 @@ class Node {
   Pipeline pipeline_;
   EvaluationTimes times_;
   MasterWatch master_;
+  Reconfiguration reconfiguration_;
   Diagnostics diagnostics_;
   ros::SteadyTime last_report_;
   std::list<Input> inputs_;  // whose addresses stay

@@ -14,7 +14,7 @@ Pipeline::Pipeline(const Parameters& parameters, const InputNames& names, tf2::B
       names_(names),
       tf_(tf),
       publish_(std::move(publish)),
-      largest_odometry_lead_(simulated_clock ? parameters.max_data_age : kLargestLead),
+      simulated_clock_(simulated_clock),
       inputs_(parameters, names, simulated_clock),
       hold_(parameters.clear_after),
       queue_(parameters_, tf_, inputs_.odometry()) {}
@@ -56,7 +56,9 @@ void Pipeline::receiveOdometry(const RawMessage& raw, const Moment& now) {
   const auto message = decodedOrRefused(
       [&] { return decodeOdometry(raw); },
       {names_.odom, Warning::REASON_ODOM_INVALID, Warning::REASON_ODOM_INVALID}, problem);
-  if (message) problem = odometryFindings(*message, now, largest_odometry_lead_, names_.odom);
+  // A simulated clock may reach this process late; odometry from a little later does no harm.
+  const double largest_lead = simulated_clock_ ? parameters_.max_data_age : kLargestLead;
+  if (message) problem = odometryFindings(*message, now, largest_lead, names_.odom);
   if (problem.makeUnknown()) return inputs_.refuse(InputKind::kOdometry, problem, now);
   const auto& twist = message->twist.twist;
   const std::string& frame = message->child_frame_id;
@@ -74,7 +76,18 @@ void Pipeline::process(const Moment& now) {
 
 CollisionWarning Pipeline::repeat(const Moment& now) {
   watchClock(now);
+  if (!scene_ || inputs_.tooOld(now, scene_->odometry).makeUnknown()) adoptPending();
   return warningNow(now, Counts::kNot);
+}
+
+/// What was predicted holds for the old parameters only.
+void Pipeline::adoptPending() {
+  if (!pending_) return;
+  if (pending_->clear_after != parameters_.clear_after) hold_.setClearAfter(pending_->clear_after);
+  parameters_ = *pending_;
+  inputs_.reconfigure(parameters_);
+  scene_.reset();
+  pending_.reset();
 }
 
 void Pipeline::watchClock(const Moment& now) {
@@ -112,6 +125,7 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   const auto newest = inputs_.newest();
   if (newest && stamp < newest->ros)
     return publish_({warningNow(now, Counts::kNot, inputs_.ignoreObstacles()), {}, now});
+  adoptPending();
   std::optional<Scene> scene;
   try {
     if (inputs_.footprint())

@@ -33,6 +33,11 @@ class Pipeline {
   Pipeline(const Parameters& parameters, const InputNames& names, tf2::BufferCore& tf,
            bool simulated_clock, Publish publish);
 
+  /// Takes effect with the next obstacles message, so that no evaluation mixes old and new; at once
+  /// when nothing is being predicted.
+  /// \param parameters of which only those may differ that can be changed live
+  void reconfigure(const Parameters& parameters) { pending_ = parameters; }
+
   void receiveObstacles(const RawMessage& message, const Moment& now);
   void receiveFootprint(const RawMessage& message, const Moment& now);
   void receiveOdometry(const RawMessage& message, const Moment& now);
@@ -51,6 +56,7 @@ class Pipeline {
   Report report(const Moment& now) const;
 
  private:
+  void adoptPending();
   void watchClock(const Moment& now);
   void take(const Waiting& waiting, const Moment& now);
   void evaluate(const ObstacleArray& message, const Moment& arrived, const Moment& now);
@@ -64,13 +70,13 @@ class Pipeline {
   CollisionWarning warning(const Evaluated* evaluated, const ros::Time& stamp, Findings& findings,
                            const Moment& now, Counts counts);
 
-  const Parameters parameters_;
+  Parameters parameters_;
+  std::optional<Parameters> pending_;
   const InputNames names_;
   tf2::BufferCore& tf_;
   const Publish publish_;
 
-  // [s] A simulated clock may reach this process late; odometry from a little later does no harm.
-  const double largest_odometry_lead_;
+  const bool simulated_clock_;
   Inputs inputs_;
   core::LevelHold hold_;
   WaitingQueue queue_;

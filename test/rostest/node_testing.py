@@ -87,9 +87,9 @@ class Recorder:
                 if predicate(self.messages[i]):
                     return self.messages[i]
 
-    def wait_connected(self):
-        wait_until(lambda: self._subscriber.get_num_connections() > 0,
-                   'a publisher of ' + self._topic)
+    def wait_connected(self, publishers=1):
+        wait_until(lambda: self._subscriber.get_num_connections() >= publishers,
+                   '%d publishers of %s' % (publishers, self._topic))
 
     def close(self):
         self._subscriber.unregister()

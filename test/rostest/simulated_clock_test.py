@@ -110,7 +110,7 @@ class SimulatedClock(RosTestCase):
         """What was known of the old time is gone; fresh data of the new time are right at once."""
         log = Recorder('/rosout', rosgraph_msgs.msg.Log)
         self.addCleanup(log.close)
-        log.wait_connected()
+        log.wait_connected(2)  # the node, and this test itself
         clock = self.started(1000)
         self.send_until(clock, lambda w: w.level == w.CRITICAL, 'CRITICAL', [circle(7, (1.25, 0))])
         clock.jump(500)
