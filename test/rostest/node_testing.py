@@ -121,13 +121,19 @@ class Rig:
         self._publishers = {}
         for name, value in parameters.items():
             rospy.set_param('/'.join((self.namespace, NODE, name)), value)
-        self.process = subprocess.Popen(
-            [find_node(PACKAGE, NODE)[0], '__ns:=' + self.namespace, '__name:=' + NODE])
         try:
+            self.process = self._start()
             self._connect(obstacles_class)
         except BaseException:
             self.close()
             raise
+
+    def _start(self):
+        """The process that the node lives in."""
+        return self.run(find_node(PACKAGE, NODE)[0], name=NODE)
+
+    def run(self, *command, name):
+        return subprocess.Popen([*command, '__ns:=' + self.namespace, '__name:=' + name])
 
     def _connect(self, obstacles_class):
         self.warnings = self._kept(Recorder(self.topic('collision_warning'), CollisionWarning))
