@@ -58,7 +58,7 @@ class DataLoss(RosTestCase):
         self.assertEqual(warning.footprint, 'footprint')
         self.assertEqual(warning.horizon, 5)
 
-    def test_clear_only_after_three_fresh_empty_lists(self):
+    def test_Fault10_clear_only_after_three_fresh_empty_lists(self):
         node = self.rig(**PATIENT)
         first, second, third = [node.warning_at(node.send()) for _ in range(3)]
         for settling in first, second:
@@ -71,13 +71,13 @@ class DataLoss(RosTestCase):
         before = node.warnings.messages[:node.warnings.messages.index(third)]
         self.assertFalse([w for w in before if w.level != w.UNKNOWN])
 
-    def test_obstacles_stop(self):
+    def test_Fault18_obstacles_stop(self):
         node = self.rig(footprint=BOX, ego_motion='static', max_data_age=MAX_AGE)
         feed = self.feed(node.send)
         self.wait_clear(node)
         self.check_loss(node, feed.stop(), CollisionWarning.REASON_OBSTACLES_STALE)
 
-    def test_odometry_stops(self):
+    def test_Fault18_odometry_stops(self):
         node = self.rig(footprint=BOX, max_data_age=MAX_AGE)
         self.feed(node.send)
         odometry = self.feed(node.send_odometry)
@@ -95,7 +95,7 @@ class DataLoss(RosTestCase):
         self.assertLessEqual(delay, MAX_AGE + HEARTBEAT + MARGIN)
         self.assertGreater(delay, MAX_AGE - 2 * HEARTBEAT, 'fresh data were called lost')
 
-    def test_loss_is_not_held_back_by_a_hit(self):
+    def test_Fault18_loss_is_not_held_back_by_a_hit(self):
         """CRITICAL becomes UNKNOWN when the hit is no longer known."""
         node = self.rig(footprint=BOX, ego_motion='static', max_data_age=MAX_AGE)
         stamp = node.send([circle(7, (2, 0), (-1, 0))])

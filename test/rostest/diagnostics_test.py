@@ -118,8 +118,7 @@ class Diagnostics(RosTestCase):
         self.assertIn('stamp 0', values(again)['last rejection'])
         self.assertLess(float(values(again)['since last rejection [s]']), 30)
 
-    def test_unknown_type(self):
-        """Fault 13."""
+    def test_Fault13_unknown_type(self):
         node, diagnostics = self.start(std_msgs.msg.String)
         node.obstacles.publish('not an obstacle')
         status = diagnostics.wait_for('obstacles', lambda s: 'std_msgs/String' in s.message)

@@ -82,7 +82,7 @@ class Parameters(RosTestCase):
             for word in words:
                 self.assertIn(word, output)
 
-    def test_table(self):
+    def test_Fault39_Fault40_Fault42_table(self):
         for parameters, words in CASES:
             self.check(parameters, *words)
 
