@@ -16,7 +16,7 @@ Pipeline::Pipeline(const Parameters& parameters, const InputNames& names, tf2::B
       publish_(std::move(publish)),
       simulated_clock_(simulated_clock),
       inputs_(parameters, names, simulated_clock),
-      hold_(parameters.clear_after),
+      level_(parameters.thresholds, parameters.clear_after),
       queue_(parameters_, tf_, inputs_.odometry()) {}
 
 void Pipeline::receiveObstacles(const RawMessage& raw, const Moment& now) {
@@ -83,9 +83,9 @@ CollisionWarning Pipeline::repeat(const Moment& now) {
 /// What was predicted holds for the old parameters only.
 void Pipeline::adoptPending() {
   if (!pending_) return;
-  if (pending_->clear_after != parameters_.clear_after) hold_.setClearAfter(pending_->clear_after);
   parameters_ = *pending_;
   inputs_.reconfigure(parameters_);
+  level_.reconfigure(parameters_.thresholds, parameters_.clear_after);
   scene_.reset();
   pending_.reset();
 }
@@ -94,7 +94,7 @@ void Pipeline::watchClock(const Moment& now) {
   if (!inputs_.forgetIfClockJumpedBack(now)) return;
   tf_.clear();
   queue_.clear();
-  hold_.reset();
+  level_.reset();
   scene_.reset();
 }
 
@@ -136,7 +136,8 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
     untransformed.add(Warning::REASON_TRANSFORM, error.what());
     return refuse(untransformed, now);
   }
-  if (newest && secondsBetween(newest->ros, stamp) > parameters_.max_data_age) hold_.restartCount();
+  if (newest && secondsBetween(newest->ros, stamp) > parameters_.max_data_age)
+    level_.restartCount();
   inputs_.acceptObstacles({stamp, arrived.steady});
   scene_ = std::move(scene);
   const Counts counts = newest && newest->ros == stamp ? Counts::kAsReplacement : Counts::kAsNew;
@@ -196,24 +197,14 @@ CollisionWarning Pipeline::warningNow(const Moment& now, Counts counts, Findings
   return warning(&evaluated, stamp, findings, now, counts);
 }
 
-/// \param counts only obstacles messages change the level that is held
 CollisionWarning Pipeline::warning(const Evaluated* evaluated, const ros::Time& stamp,
                                    Findings& findings, const Moment& now, Counts counts) {
-  core::Level seen = core::Level::kUnknown;
+  Sight sight;
   if (evaluated) {
     const auto& first = evaluated->prediction.first;
-    seen = core::assess(first ? std::make_optional(first->contact.time) : std::nullopt,
-                        !findings.makeUnknown(), parameters_.thresholds);
+    sight = {true, first ? std::make_optional(first->contact.time) : std::nullopt};
   }
-  if (counts == Counts::kAsNew) hold_.update(seen);
-  if (counts == Counts::kAsReplacement) hold_.replaceNewest(seen);
-  const core::Level level = hold_.shown(seen);
-  const std::string in_a_row =
-      std::to_string(parameters_.clear_after) + " obstacles messages in a row (~clear_after)";
-  if (level == core::Level::kUnknown && !findings.makeUnknown())
-    findings.add(Warning::REASON_SETTLING, "the inputs are good, but not yet for " + in_a_row);
-  if (level != core::Level::kUnknown && core::isWorse(level, seen))
-    findings.add(0, "the level is held until a lower one is given by " + in_a_row);
+  const core::Level level = level_.judge(sight, counts, findings);
   CollisionWarning msg = warningMsg(evaluated, stamp, level, findings, parameters_);
   msg.data_age = inputs_.age(now, scene_ ? scene_->odometry : std::nullopt);
   return msg;

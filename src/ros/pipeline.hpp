@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "inputs.hpp"
+#include "level_state.hpp"
 #include "message_decoding.hpp"
 #include "moment.hpp"
 #include "parameters.hpp"
@@ -65,7 +66,6 @@ class Pipeline {
   void refuse(const Findings& why, const Moment& now);
   TransformReport transformReport(const Moment& now) const;
 
-  enum class Counts { kNot, kAsNew, kAsReplacement };
   CollisionWarning warningNow(const Moment& now, Counts counts, Findings findings = {});
   CollisionWarning warning(const Evaluated* evaluated, const ros::Time& stamp, Findings& findings,
                            const Moment& now, Counts counts);
@@ -78,7 +78,7 @@ class Pipeline {
 
   const bool simulated_clock_;
   Inputs inputs_;
-  core::LevelHold hold_;
+  LevelState level_;
   WaitingQueue queue_;
   std::optional<Scene> scene_;   // of the last good obstacles message
   std::string obstacles_frame_;  // of the last one, good or not

@@ -1,8 +1,8 @@
 // The node, loaded into a nodelet manager.
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
+#include <pluginlib/class_list_macros.hpp>
 
 #include "node.hpp"
 

@@ -6,8 +6,8 @@ OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.E
 
 
 class DiagnosticsReader:
-    def __init__(self, namespace):
-        self._prefix = namespace[1:] + '/' + NODE + ': '
+    def __init__(self, namespace, node=NODE):
+        self._prefix = namespace[1:] + '/' + node + ': '
         self._recorder = Recorder('/diagnostics', DiagnosticArray)
         self.close = self._recorder.close
 

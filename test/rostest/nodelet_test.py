@@ -7,6 +7,7 @@ import subprocess
 
 import rosgraph_msgs.msg
 import rospy
+from diagnostics_reading import OK, DiagnosticsReader
 from node_testing import (BOX, NODE, PACKAGE, PATIENT, TIMEOUT, Recorder, Rig, circle,
                           wait_until)
 from roslib.packages import find_node
@@ -116,6 +117,22 @@ class Nodelet(RosTestCase):
         self.assertTrue(rig.is_alive())
         stamp = rig.send([circle(7, (3, 0), (-1, 0))])
         self.assertAlmostEqual(rig.warning_at(stamp).time_to_collision, 1.5, delta=1e-9)
+
+    def test_its_first_diagnostics_are_not_ok(self):
+        """Here somebody listens from the start: the manager's other nodelet publishes there too."""
+        rig = self.managed(**dict(PATIENT, diagnostic_period=0.1))
+        first, other = (DiagnosticsReader(rig.namespace, node) for node in (NODE, 'other'))
+        self.addCleanup(first.close)
+        self.addCleanup(other.close)
+        first.next('collision')
+        rospy.set_param(rig.topic('other/diagnostic_period'), 0.1)
+        loader = rig.load('other')
+        self.addCleanup(loader.wait)
+        self.addCleanup(loader.terminate)
+        for _ in range(3):
+            other.next('collision')
+        good = {s.name.split(': ')[1] for s in other.all() if s.level == OK}
+        self.assertLessEqual(good, {'clock', 'master', 'configuration'})
 
     def test_unloading_leaves_no_thread(self):
         rig = self.managed(**PATIENT)

@@ -20,7 +20,6 @@ from ros_test_case import RosTestCase, run
 
 MAX_AGE = 0.5
 STANDING = {'footprint': BOX, 'ego_motion': 'static', 'max_data_age': MAX_AGE}
-# Stamps of messages are those of their obstacles; heartbeats carry the node's own clock.
 GARBAGE = (b'\0' * 1000, b'\xff' * 1000, b'\xff\xff\xff\x7f', b'GET / HTTP/1.0\r\n\r\n',
            b'POST /RPC2 HTTP/1.1\r\nContent-Length: 999999999\r\n\r\n<methodCall>',
            b'POST /RPC2 HTTP/1.1\r\nContent-Length: -5\r\n\r\n', struct.pack('<I', 900000000),
@@ -140,14 +139,15 @@ class ProcessFaults(RosTestCase):
     def test_Fault33_consumers_that_do_not_read(self):
         node = self.fed(heartbeat_rate=1000.0)
         _, address = self.ports(node)
+        self.wait_beats(node, 1000)
         memory = resident_memory(node.process)
         for topic, kind in (('collision_warning', CollisionWarning),
                             ('collision_prediction', CollisionPrediction)):
             self.deaf(address, node, topic, kind)
         mark = node.warnings.mark()
-        self.wait_beats(node, 5000)  # 1.5 MB, far more than the sockets hold
+        self.wait_beats(node, 10000)  # 4 MB, far more than the sockets hold
         self.check_beating(node, mark, 0.15)
-        self.assertLess(resident_memory(node.process) - memory, 10e6)
+        self.assertLess(resident_memory(node.process) - memory, 2e6)
 
     def test_Fault34_busy_machine(self):
         node = self.fed()
