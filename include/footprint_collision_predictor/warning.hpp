@@ -45,6 +45,8 @@ class LevelHold {
   void replaceNewest(Level seen);
   /// After a gap in the messages: what is held stays, the count of lower ones starts again.
   void restartCount();
+  /// Another length, >= 1: what is held stays, the count starts again.
+  void setClearAfter(std::size_t clear_after);
   /// What to show, given what is seen at this moment (by a message, or by a repeat between
   /// messages).
   Level shown(Level seen) const;

@@ -49,6 +49,11 @@ void LevelHold::replaceNewest(Level seen) {
 
 void LevelHold::restartCount() { std::fill(recent_.begin(), recent_.end(), held()); }
 
+void LevelHold::setClearAfter(std::size_t clear_after) {
+  recent_.assign(clear_after, held());
+  next_ = 0;
+}
+
 Level LevelHold::shown(Level seen) const {
   return seen == Level::kUnknown ? seen : worse(held(), seen);
 }

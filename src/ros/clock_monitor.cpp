@@ -17,7 +17,13 @@ ClockMonitor::ClockMonitor(bool simulated, double longest_stop)
 bool ClockMonitor::jumpedBack(const Moment& now) {
   const bool back = secondsBetween(now.ros, last_advance_.ros) > kHarmlessStep;
   if (back || now.ros > last_advance_.ros || last_advance_.steady.isZero()) last_advance_ = now;
+  if (back) ++jumps_back_;
   return back;
+}
+
+ClockReport ClockMonitor::report(const Moment& now) const {
+  return {simulated_, now.ros, secondsBetween(last_advance_.steady, now.steady), jumps_back_,
+          findings(now)};
 }
 
 Findings ClockMonitor::findings(const Moment& now) const {

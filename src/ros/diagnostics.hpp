@@ -1,23 +1,55 @@
-// The node's entry in /diagnostics.
+// The node's entries in /diagnostics.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
 
+#include <functional>
+#include <mutex>
+#include <string>
+
+#include "master_watch.hpp"
+#include "reconfiguration.hpp"
+#include "report.hpp"
 #include "warning_publisher.hpp"
 
 namespace footprint_collision_predictor {
 
 class Diagnostics {
  public:
-  /// \param warnings outlives this
-  Diagnostics(ros::NodeHandle& node, ros::NodeHandle& private_node,
-              const WarningPublisher& warnings);
+  /// What is asked directly, since it answers from any thread.
+  struct Sources {
+    const WarningPublisher& warnings;
+    const MasterWatch& master;
+    const Reconfiguration& reconfiguration;
+  };
+
+  /// \param sources outlive this
+  /// \param first tells which inputs there are
+  Diagnostics(ros::NodeHandle& node, ros::NodeHandle& private_node, const Sources& sources,
+              const Report& first);
+
+  /// What to say from now on; thread-safe.
+  void update(const Report& report);
 
  private:
-  void describe(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  using Describe = std::function<void(const Report&, diagnostic_updater::DiagnosticStatusWrapper&)>;
 
-  const WarningPublisher& warnings_;
-  diagnostic_updater::Updater updater_;
+  void add(const std::string& name, const Describe& describe);
+  void publish();
+
+  /// diagnostic_updater announces every entry with an OK of which it knows nothing.
+  class Updater : public diagnostic_updater::Updater {
+   public:
+    using diagnostic_updater::Updater::Updater;
+
+   private:
+    void addedTaskCallback(DiagnosticTaskInternal&) override {}
+  };
+
+  const Sources sources_;
+  std::mutex mutex_;
+  Report report_;
+  Updater updater_;
   ros::WallTimer timer_;  // by wall time, so that it goes on when a simulated clock stands still
 };
 

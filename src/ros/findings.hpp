@@ -25,8 +25,18 @@ class Findings {
     for (const Finding& other : others.list_) add(other.reason, other.words);
   }
 
+  /// Those that set one of these reasons.
+  Findings with(std::uint32_t reasons) const {
+    Findings some;
+    for (const Finding& finding : list_)
+      if (finding.reason & reasons) some.add(finding.reason, finding.words);
+    return some;
+  }
+
   std::uint32_t reasons() const { return reasons_; }
   bool makeUnknown() const { return reasons_ % kFirstDegradedReason != 0; }
+
+  bool empty() const { return list_.empty(); }
 
   /// What, where and what to do; joined by "; ", empty when there is nothing to say.
   std::string text() const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "input_findings.hpp"
 
@@ -13,9 +14,16 @@ using Warning = CollisionWarning;
 
 Inputs::Inputs(const Parameters& parameters, const InputNames& names, bool simulated_clock)
     : parameters_(parameters),
-      names_(names),
       clock_(simulated_clock, parameters.max_data_age),
+      obstacles_(names.obstacles),
+      footprints_(names.footprint),
+      odometries_(names.odom),
       footprint_(parameters.footprint) {}
+
+void Inputs::reconfigure(const Parameters& parameters) {
+  parameters_ = parameters;
+  clock_.setLongestStop(parameters.max_data_age);
+}
 
 bool Inputs::forgetIfClockJumpedBack(const Moment& now) {
   if (!clock_started_ && !now.ros.isZero()) {
@@ -28,73 +36,125 @@ bool Inputs::forgetIfClockJumpedBack(const Moment& now) {
                                               << ": all inputs of the old time are dropped");
   jump_ = {};
   jump_.add(Warning::REASON_CLOCK, "the clock was set back, so that earlier inputs do not count");
-  newest_.reset();
   odometry_.clear();
-  obstacles_refusal_ = footprint_refusal_ = odometry_refusal_ = {};
+  out_of_order_ = {};
+  for (InputRecord* input : {&obstacles_, &footprints_, &odometries_}) input->forget();
   return true;
 }
 
-void Inputs::acceptObstacles(const Moment& stamp_and_arrival) {
-  newest_ = stamp_and_arrival;
-  obstacles_refusal_ = jump_ = {};
+void Inputs::receive(InputKind kind, const RawMessage& message, const Moment& now) {
+  record(kind).receive(message, now.steady);
 }
 
-void Inputs::acceptFootprint(const core::Polygon& footprint) {
+void Inputs::acceptObstacles(const Moment& stamp_and_arrival) {
+  obstacles_.accept(stamp_and_arrival);
+  jump_ = {};
+}
+
+void Inputs::acceptFootprint(const core::Polygon& footprint, const Moment& stamp_and_arrival) {
+  footprints_.accept(stamp_and_arrival);
   footprint_ = footprint;
-  footprint_refusal_ = {};
 }
 
 void Inputs::acceptOdometry(const OdometrySample& sample) {
-  if (odometry_.add(sample))
-    odometry_refusal_ = {};
-  else
-    odometry_refusal_.add(Warning::REASON_OUT_OF_ORDER,
-                          ignoredText(names_.odom, ++ignored_odometry_));
+  if (odometry_.add(sample)) {
+    odometries_.accept({sample.stamp, sample.arrived});
+    out_of_order_ = {};
+  } else {
+    out_of_order_ = odometries_.ignore();
+  }
 }
 
-Findings Inputs::ignoreObstacles() {
+void Inputs::refuse(InputKind kind, const Findings& why, const Moment& now) {
+  record(kind).refuse(why, now.steady);
+}
+
+void Inputs::setRegistered(const PublishersOf& publishers_of) {
+  for (InputRecord* input : {&obstacles_, &footprints_, &odometries_})
+    input->setRegistered(publishers_of(input->topic()));
+}
+
+const InputRecord& Inputs::record(InputKind kind) const {
+  switch (kind) {
+    case InputKind::kObstacles:
+      return obstacles_;
+    case InputKind::kFootprint:
+      return footprints_;
+    default:
+      return odometries_;
+  }
+}
+
+InputRecord& Inputs::record(InputKind kind) {
+  return const_cast<InputRecord&>(std::as_const(*this).record(kind));
+}
+
+Findings Inputs::missing(InputKind kind) const {
+  const std::string& topic = record(kind).topic();
   Findings findings;
-  findings.add(Warning::REASON_OUT_OF_ORDER, ignoredText(names_.obstacles, ++ignored_obstacles_));
+  if (kind == InputKind::kObstacles && !obstacles_.newest())
+    findings.add(Warning::REASON_OBSTACLES_MISSING,
+                 "nothing has come on " + topic +
+                     " yet: start the tracker, or remap obstacles to its topic");
+  if (kind == InputKind::kFootprint && !footprint_)
+    findings.add(Warning::REASON_FOOTPRINT_MISSING,
+                 "no footprint yet: set ~footprint, or publish one on " + topic);
+  if (kind == InputKind::kOdometry && odometry_.empty())
+    findings.add(Warning::REASON_ODOM_MISSING,
+                 "nothing has come on " + topic +
+                     " yet: remap odom to the robot's odometry, or set ~ego_motion to static for a "
+                     "sensor that stands still");
   return findings;
 }
 
-Findings Inputs::standing() const {
+Findings Inputs::standing(InputKind kind, const Moment& now) const {
+  if (kind == InputKind::kFootprint && parameters_.footprint) return {};
+  if (kind == InputKind::kOdometry && parameters_.ego_motion == EgoMotion::kStatic) return {};
+  const InputRecord& input = record(kind);
+  Findings findings = input.refusal();
+  if (kind == InputKind::kOdometry) findings.add(out_of_order_);
+  if (!input.refusal().makeUnknown()) findings.add(missing(kind));
+  findings.add(input.severalPublishers(now.steady));
+  return findings;
+}
+
+Findings Inputs::standing(const Moment& now) const {
   Findings findings = jump_;
-  findings.add(obstacles_refusal_);
-  findings.add(footprint_refusal_);
-  findings.add(odometry_refusal_);
-  if (!newest_ && !obstacles_refusal_.makeUnknown())
-    findings.add(Warning::REASON_OBSTACLES_MISSING,
-                 "nothing has come on " + names_.obstacles +
-                     " yet: start the tracker, or remap obstacles to its topic");
-  if (!footprint_ && !footprint_refusal_.makeUnknown())
-    findings.add(Warning::REASON_FOOTPRINT_MISSING,
-                 "no footprint yet: set ~footprint, or publish one on " + names_.footprint);
-  const bool needs_odometry = parameters_.ego_motion == EgoMotion::kOdom;
-  if (needs_odometry && odometry_.empty() && !odometry_refusal_.makeUnknown())
-    findings.add(Warning::REASON_ODOM_MISSING,
-                 "nothing has come on " + names_.odom +
-                     " yet: remap odom to the robot's odometry, or set ~ego_motion to static for a "
-                     "sensor that stands still");
+  for (const InputKind kind : {InputKind::kObstacles, InputKind::kFootprint, InputKind::kOdometry})
+    findings.add(standing(kind, now));
   return findings;
 }
 
 Findings Inputs::tooOld(const Moment& now, const std::optional<OdometrySample>& used) const {
   const double limit = parameters_.max_data_age;
   Findings findings = clock_.findings(now);
-  const bool obstacles_old = newest_ && obstaclesAge(now) > limit;
+  const bool obstacles_old = newest() && ageOf(obstacles_, now) > limit;
   if (obstacles_old)
     findings.add(Warning::REASON_OBSTACLES_STALE,
-                 staleText(names_.obstacles, obstaclesAge(now), limit));
+                 staleText(obstacles_.topic(), ageOf(obstacles_, now), limit));
   // With old obstacles the odometry used is old as well, which says nothing about its source.
   const double odometry_age = odometryAge(now, obstacles_old ? odometry_.at(now.ros) : used);
   if (odometry_age > limit)
-    findings.add(Warning::REASON_ODOM_STALE, staleText(names_.odom, odometry_age, limit));
+    findings.add(Warning::REASON_ODOM_STALE, staleText(odometries_.topic(), odometry_age, limit));
   return findings;
 }
 
 double Inputs::age(const Moment& now, const std::optional<OdometrySample>& used) const {
-  return std::max(obstaclesAge(now), odometryAge(now, used));
+  return std::max(ageOf(obstacles_, now), odometryAge(now, used));
+}
+
+InputReport Inputs::report(InputKind kind, const Moment& now) const {
+  const InputRecord& input = record(kind);
+  const double age = ageOf(input, now);
+  Findings findings = clock_.findings(now);
+  if (kind == InputKind::kObstacles) findings.add(jump_);
+  findings.add(standing(kind, now));
+  const bool expires = kind != InputKind::kFootprint;
+  if (expires && input.newest() && age > parameters_.max_data_age)
+    findings.add(kind == InputKind::kObstacles ? Warning::REASON_OBSTACLES_STALE
+                                               : Warning::REASON_ODOM_STALE,
+                 staleText(input.topic(), age, parameters_.max_data_age));
+  return reportOf(input, age, findings, now.steady);
 }
 
 /// By the ROS clock; live also by the steady one, in case the wall clock is wrong or set.
@@ -104,9 +164,9 @@ double Inputs::ageOf(const ros::Time& stamp, const ros::SteadyTime& arrived,
   return clock_.isSimulated() ? age : std::max(age, secondsBetween(arrived, now.steady));
 }
 
-double Inputs::obstaclesAge(const Moment& now) const {
-  return newest_ ? ageOf(newest_->ros, newest_->steady, now)
-                 : std::numeric_limits<double>::infinity();
+double Inputs::ageOf(const InputRecord& input, const Moment& now) const {
+  const auto& newest = input.newest();
+  return newest ? ageOf(newest->ros, newest->steady, now) : std::numeric_limits<double>::infinity();
 }
 
 double Inputs::odometryAge(const Moment& now, const std::optional<OdometrySample>& sample) const {

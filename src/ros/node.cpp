@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace footprint_collision_predictor {
@@ -16,17 +17,22 @@ constexpr std::uint32_t kQueueSize = 100;
 // come.
 constexpr double kPollPeriod = 1e-3;
 
-Parameters parametersOf(const ros::NodeHandle& private_node) {
+constexpr double kReportPeriod = 0.1;  // [s] of what the diagnostics are made of
+
+XmlRpc::XmlRpcValue valuesOf(const ros::NodeHandle& private_node) {
   XmlRpc::XmlRpcValue values;
   private_node.getParam(private_node.getNamespace(), values);
-  return parametersFrom(values);
+  return values;
 }
 
 Moment now() { return {ros::Time::now(), ros::SteadyTime::now()}; }
 
-RawMessage rawOf(const topic_tools::ShapeShifter& shape_shifter) {
+using Event = ros::MessageEvent<topic_tools::ShapeShifter const>;
+
+RawMessage rawOf(const Event& event) {
+  const topic_tools::ShapeShifter& shape_shifter = *event.getConstMessage();
   RawMessage raw{shape_shifter.getDataType(), shape_shifter.getMD5Sum(),
-                 std::vector<std::uint8_t>(shape_shifter.size())};
+                 std::vector<std::uint8_t>(shape_shifter.size()), event.getPublisherName()};
   ros::serialization::OStream stream(raw.bytes.data(), shape_shifter.size());
   shape_shifter.write(stream);
   return raw;
@@ -45,20 +51,26 @@ CollisionWarning unknown(const Parameters& parameters, const std::string& why) {
 }  // namespace
 
 Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : parameters_(parametersOf(private_node)),
+    : Node(node, private_node, valuesOf(private_node)) {}
+
+Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+           const XmlRpc::XmlRpcValue& values)
+    : parameters_(parametersFrom(values)),
+      used_(parameters_.get()),
       node_(node),
       private_node_(private_node),
       predictions_(node_.advertise<CollisionPrediction>("collision_prediction", kQueueSize)),
       warnings_(node_),
-      pipeline_(parameters_,
+      pipeline_(*used_,
                 {node_.resolveName("obstacles"), node_.resolveName("footprint"),
                  node_.resolveName("odom")},
                 tf_, ros::Time::isSimTime(), [this](const Answer& answer) { publish(answer); }),
-      diagnostics_(node_, private_node_, warnings_) {
+      reconfiguration_(private_node_, values, [this](const Parameters& p) { parameters_.set(p); }),
+      diagnostics_(node_, private_node_, {warnings_, master_, reconfiguration_}, report(now())) {
   node_.setCallbackQueue(&queue_);
   addInput("obstacles", &Pipeline::receiveObstacles);
-  if (!parameters_.footprint) addInput("footprint", &Pipeline::receiveFootprint);
-  if (parameters_.ego_motion == EgoMotion::kOdom) addInput("odom", &Pipeline::receiveOdometry);
+  if (!used_->footprint) addInput("footprint", &Pipeline::receiveFootprint);
+  if (used_->ego_motion == EgoMotion::kOdom) addInput("odom", &Pipeline::receiveOdometry);
   subscribeTransforms("/tf", false);
   subscribeTransforms("/tf_static", true);
   worker_ = std::thread(&Node::work, this);
@@ -103,21 +115,30 @@ void Node::subscribeTransforms(const std::string& topic, bool fixed) {
       node_.subscribe<tf2_msgs::TFMessage>(topic, kQueueSize, callback));
 }
 
+void Node::takeNewParameters() {
+  const auto newest = parameters_.get();
+  if (newest == used_) return;
+  used_ = newest;
+  pipeline_.reconfigure(*used_);
+}
+
 void Node::publish(const Answer& answer) {
   if (answer.prediction) predictions_.publish(*answer.prediction);
-  const double elapsed = secondsBetween(answer.now.steady, ros::SteadyTime::now());
-  warnings_.publish(finishedAfter(elapsed, answer.warning, parameters_));
+  const ros::SteadyTime finished = ros::SteadyTime::now();
+  const double elapsed = secondsBetween(answer.now.steady, finished);
+  const bool evaluated = !std::isnan(answer.warning.clearance);
+  if (evaluated) times_.add(elapsed, 1 / used_->heartbeat_rate, finished);
+  warnings_.publish(finishedAfter(elapsed, answer.warning, *used_));
 }
 
 /// Raw, so that the node sees every type and every malformed message itself.
 void Node::subscribe(Input& input) {
-  const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
-      [this, &input](const topic_tools::ShapeShifter::ConstPtr& message) {
-        input.connected = true;
-        guarded([&] { (pipeline_.*input.receive)(rawOf(*message), now()); });
-      };
-  input.subscriber = node_.subscribe<topic_tools::ShapeShifter>(
-      input.topic, kQueueSize, callback, {}, ros::TransportHints().tcpNoDelay());
+  const boost::function<void(const Event&)> callback = [this, &input](const Event& event) {
+    input.connected = true;
+    guarded([&] { (pipeline_.*input.receive)(rawOf(event), now()); });
+  };
+  input.subscriber = node_.subscribe<topic_tools::ShapeShifter, const Event&>(
+      input.topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
 /// roscpp keeps even a raw subscription to the type of the first publisher it met: publishers of
@@ -136,10 +157,11 @@ void Node::renewAbandonedInputs() {
 }
 
 void Node::work() {
-  const ros::WallDuration period(1 / parameters_.heartbeat_rate);
   ros::SteadyTime next = ros::SteadyTime::now();
   while (running_) {
     progress_ = ros::SteadyTime::now().toNSec();
+    takeNewParameters();
+    const ros::WallDuration period(1 / used_->heartbeat_rate);
     const double left = secondsBetween(ros::SteadyTime::now(), next);
     const double wait = pipeline_.isWaiting() ? std::min(left, kPollPeriod) : left;
     queue_.callAvailable(ros::WallDuration(std::max(0.0, wait)));
@@ -147,26 +169,47 @@ void Node::work() {
       pipeline_.process(now());
       if (ros::SteadyTime::now() < next) return;
       next = std::max(next + period, ros::SteadyTime::now());
-      const Moment then = now();
-      publish({pipeline_.repeat(then), {}, then});
-      renewAbandonedInputs();
+      goRound(now());
     });
   }
+}
+
+/// What is done once in a period of the heartbeat, besides taking in messages.
+void Node::goRound(const Moment& now) {
+  publish({pipeline_.repeat(now), {}, now});
+  renewAbandonedInputs();
+  if (secondsBetween(last_report_, now.steady) < kReportPeriod) return;
+  last_report_ = now.steady;
+  const MasterView master = master_.view();
+  pipeline_.setRegistered([&](const std::string& topic) {
+    const auto found = master.publishers.find(topic);
+    return found == master.publishers.end() ? std::vector<std::string>() : found->second;
+  });
+  diagnostics_.update(report(now));
+}
+
+Report Node::report(const Moment& now) const {
+  Report report = pipeline_.report(now);
+  report.computation = times_.report(1 / used_->heartbeat_rate, now.steady);
+  return report;
 }
 
 /// Steps in when the worker has been silent: with its newest result while it may just be late, and
 /// with UNKNOWN when it has not come round for so long that it must be taken to hang.
 void Node::beat() {
-  const double period = 1 / parameters_.heartbeat_rate;
-  const double patience = std::max(2 * period, 0.1);
+  auto parameters = parameters_.get();
   const auto stopped = [this] { return !running_; };
   std::unique_lock<std::mutex> lock(stop_mutex_);
-  while (!stop_.wait_for(lock, std::chrono::duration<double>(period), stopped)) {
+  while (!stop_.wait_for(lock, std::chrono::duration<double>(1 / parameters->heartbeat_rate),
+                         stopped)) {
+    parameters = parameters_.get();
+    const double period = 1 / parameters->heartbeat_rate;
+    const double patience = std::max(2 * period, 0.1);
     warnings_.publishIfSilent(1.5 * period, [&](const CollisionWarning& last, double silence) {
       const std::uint64_t progress = progress_;  // first, so that the difference is not negative
       const double hang = 1e-9 * static_cast<double>(ros::SteadyTime::now().toNSec() - progress);
-      if (hang <= patience) return olderBy(silence, last, parameters_);
-      return unknown(parameters_, "no evaluation has finished for " + std::to_string(hang) +
+      if (hang <= patience) return olderBy(silence, last, *parameters);
+      return unknown(*parameters, "no evaluation has finished for " + std::to_string(hang) +
                                       " s: too many obstacles, or an overloaded machine");
     });
   }
@@ -176,7 +219,7 @@ void Node::guarded(const std::function<void()>& step) try {
   step();
 } catch (const std::exception& error) {
   ROS_ERROR_STREAM_THROTTLE(1, "an evaluation failed: " << error.what());
-  warnings_.publish(unknown(parameters_, std::string("an evaluation failed: ") + error.what()));
+  warnings_.publish(unknown(*used_, std::string("an evaluation failed: ") + error.what()));
 }
 
 }  // namespace footprint_collision_predictor

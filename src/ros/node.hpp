@@ -11,12 +11,17 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 
 #include "diagnostics.hpp"
+#include "evaluation_times.hpp"
+#include "live_parameters.hpp"
+#include "master_watch.hpp"
 #include "pipeline.hpp"
+#include "reconfiguration.hpp"
 #include "warning_publisher.hpp"
 
 namespace footprint_collision_predictor {
@@ -33,6 +38,9 @@ class Node {
   Node& operator=(const Node&) = delete;
 
  private:
+  Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+       const XmlRpc::XmlRpcValue& values);
+
   using Receive = void (Pipeline::*)(const RawMessage&, const Moment&);
 
   struct Input {
@@ -47,12 +55,16 @@ class Node {
   void renewAbandonedInputs();
   void subscribeTransforms(const std::string& topic, bool fixed);
   void takeTransforms(const tf2_msgs::TFMessage& message, bool fixed);
+  void takeNewParameters();
   void publish(const Answer& answer);
+  Report report(const Moment& now) const;
   void work();
+  void goRound(const Moment& now);
   void beat();
   void guarded(const std::function<void()>& step);
 
-  const Parameters parameters_;
+  LiveParameters parameters_;
+  std::shared_ptr<const Parameters> used_;  // by the pipeline
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   ros::CallbackQueue queue_;
@@ -61,7 +73,11 @@ class Node {
   tf2::BufferCore tf_;
 
   Pipeline pipeline_;
+  EvaluationTimes times_;
+  MasterWatch master_;
+  Reconfiguration reconfiguration_;
   Diagnostics diagnostics_;
+  ros::SteadyTime last_report_;
   std::list<Input> inputs_;  // whose addresses stay
   std::vector<ros::Subscriber> transform_subscribers_;
 

@@ -102,9 +102,7 @@ class Reader {
     if (!holds) complaints_.push_back(complaint);
   }
 
-  /// diagnostic_period belongs to diagnostic_updater, which shares the namespace.
   void refuseUnknown() {
-    known_.push_back("diagnostic_period");
     for (const auto& entry : values_) {
       if (std::find(known_.begin(), known_.end(), entry.first) != known_.end()) continue;
       const std::string meant = nearestName(entry.first, known_);
@@ -189,6 +187,8 @@ Parameters parametersFrom(const XmlRpc::XmlRpcValue& values) {
                                         {{"true_radius", ObstacleDetectorRadius::kTrueRadius},
                                          {"radius", ObstacleDetectorRadius::kRadius}},
                                         p.obstacle_detector_radius);
+  double diagnostic_period = 1;  // is read by diagnostic_updater, which throws for a wrong one
+  reader.number("diagnostic_period", 0.01, 60, diagnostic_period);
   reader.footprint(p.max_vertices, p.footprint);
   reader.refuseUnknown();
   requireConsistent(p, reader);

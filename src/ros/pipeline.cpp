@@ -14,13 +14,14 @@ Pipeline::Pipeline(const Parameters& parameters, const InputNames& names, tf2::B
       names_(names),
       tf_(tf),
       publish_(std::move(publish)),
-      largest_odometry_lead_(simulated_clock ? parameters.max_data_age : kLargestLead),
+      simulated_clock_(simulated_clock),
       inputs_(parameters, names, simulated_clock),
-      hold_(parameters.clear_after),
+      level_(parameters.thresholds, parameters.clear_after),
       queue_(parameters_, tf_, inputs_.odometry()) {}
 
 void Pipeline::receiveObstacles(const RawMessage& raw, const Moment& now) {
   watchClock(now);
+  inputs_.receive(InputKind::kObstacles, raw, now);
   Findings problem;
   auto message = decodedOrRefused(
       [&] { return decodeObstacles(raw, parameters_); },
@@ -29,12 +30,13 @@ void Pipeline::receiveObstacles(const RawMessage& raw, const Moment& now) {
   if (message)
     queue_.push({now, std::move(*message)});
   else
-    queue_.push({now, Refusal{problem, Refusal::Of::kObstacles}});
+    queue_.push({now, Refusal{problem, InputKind::kObstacles}});
   process(now);
 }
 
 void Pipeline::receiveFootprint(const RawMessage& raw, const Moment& now) {
   watchClock(now);
+  inputs_.receive(InputKind::kFootprint, raw, now);
   Findings problem;
   auto message = decodedOrRefused(
       [&] { return decodeFootprint(raw, parameters_.max_vertices); },
@@ -43,18 +45,21 @@ void Pipeline::receiveFootprint(const RawMessage& raw, const Moment& now) {
   if (message)
     queue_.push({now, std::move(*message)});
   else
-    queue_.push({now, Refusal{problem, Refusal::Of::kFootprint}});
+    queue_.push({now, Refusal{problem, InputKind::kFootprint}});
   process(now);
 }
 
 void Pipeline::receiveOdometry(const RawMessage& raw, const Moment& now) {
   watchClock(now);
+  inputs_.receive(InputKind::kOdometry, raw, now);
   Findings problem;
   const auto message = decodedOrRefused(
       [&] { return decodeOdometry(raw); },
       {names_.odom, Warning::REASON_ODOM_INVALID, Warning::REASON_ODOM_INVALID}, problem);
-  if (message) problem = odometryFindings(*message, now, largest_odometry_lead_, names_.odom);
-  if (problem.makeUnknown()) return inputs_.refuseOdometry(problem);
+  // A simulated clock may reach this process late; odometry from a little later does no harm.
+  const double largest_lead = simulated_clock_ ? parameters_.max_data_age : kLargestLead;
+  if (message) problem = odometryFindings(*message, now, largest_lead, names_.odom);
+  if (problem.makeUnknown()) return inputs_.refuse(InputKind::kOdometry, problem, now);
   const auto& twist = message->twist.twist;
   const std::string& frame = message->child_frame_id;
   inputs_.acceptOdometry({message->header.stamp,
@@ -71,24 +76,35 @@ void Pipeline::process(const Moment& now) {
 
 CollisionWarning Pipeline::repeat(const Moment& now) {
   watchClock(now);
+  if (!scene_ || inputs_.tooOld(now, scene_->odometry).makeUnknown()) adoptPending();
   return warningNow(now, Counts::kNot);
+}
+
+/// What was predicted holds for the old parameters only.
+void Pipeline::adoptPending() {
+  if (!pending_) return;
+  parameters_ = *pending_;
+  inputs_.reconfigure(parameters_);
+  level_.reconfigure(parameters_.thresholds, parameters_.clear_after);
+  scene_.reset();
+  pending_.reset();
 }
 
 void Pipeline::watchClock(const Moment& now) {
   if (!inputs_.forgetIfClockJumpedBack(now)) return;
   tf_.clear();
   queue_.clear();
-  hold_.reset();
+  level_.reset();
   scene_.reset();
 }
 
 void Pipeline::take(const Waiting& waiting, const Moment& now) try {
   if (const auto* refusal = std::get_if<Refusal>(&waiting.message)) {
-    if (refusal->of == Refusal::Of::kObstacles) return refuse(refusal->why, now);
-    return inputs_.refuseFootprint(refusal->why);
+    if (refusal->of == InputKind::kObstacles) return refuse(refusal->why, now);
+    return inputs_.refuse(refusal->of, refusal->why, now);
   }
   if (const auto* footprint = std::get_if<geometry_msgs::PolygonStamped>(&waiting.message))
-    return adopt(*footprint);
+    return adopt(*footprint, waiting.arrived, now);
   evaluate(std::get<ObstacleArray>(waiting.message), waiting.arrived, now);
 } catch (const std::exception& error) {
   // Nothing throws here as far as is known; if something does, it must not look like nothing.
@@ -101,12 +117,15 @@ void Pipeline::take(const Waiting& waiting, const Moment& now) try {
 
 void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, const Moment& now) {
   const ros::Time& stamp = message.header.stamp;
+  obstacles_frame_ = message.header.frame_id;
+  waited_ = secondsBetween(arrived.steady, now.steady);
   const Findings unusable =
       headerFindings(message.header, arrived, now, parameters_.max_data_age, names_.obstacles);
   if (unusable.makeUnknown()) return refuse(unusable, now);
   const auto newest = inputs_.newest();
   if (newest && stamp < newest->ros)
     return publish_({warningNow(now, Counts::kNot, inputs_.ignoreObstacles()), {}, now});
+  adoptPending();
   std::optional<Scene> scene;
   try {
     if (inputs_.footprint())
@@ -117,13 +136,14 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
     untransformed.add(Warning::REASON_TRANSFORM, error.what());
     return refuse(untransformed, now);
   }
-  if (newest && secondsBetween(newest->ros, stamp) > parameters_.max_data_age) hold_.restartCount();
+  if (newest && secondsBetween(newest->ros, stamp) > parameters_.max_data_age)
+    level_.restartCount();
   inputs_.acceptObstacles({stamp, arrived.steady});
   scene_ = std::move(scene);
   const Counts counts = newest && newest->ros == stamp ? Counts::kAsReplacement : Counts::kAsNew;
   Findings findings = inputs_.tooOld(now, scene_ ? scene_->odometry : std::nullopt);
   const bool usable = scene_ && !findings.makeUnknown();
-  findings.add(inputs_.standing());
+  findings.add(inputs_.standing(now));
   if (!usable) return publish_({warning(nullptr, stamp, findings, now, counts), {}, now});
   findings.add(scene_->findings);
   const Evaluated evaluated{*scene_, core::predict(scene_->footprint, scene_->twist,
@@ -132,7 +152,8 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   publish_({warning(&evaluated, stamp, findings, now, counts), prediction, now});
 }
 
-void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
+void Pipeline::adopt(const geometry_msgs::PolygonStamped& message, const Moment& arrived,
+                     const Moment& now) {
   const std_msgs::Header& header = message.header;
   Findings problem;
   try {
@@ -140,7 +161,8 @@ void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
     if (header.stamp.isZero() && header.frame_id != parameters_.base_frame)
       throw TransformError("its stamp is 0, so its place on the robot is not known");
     const PlanarPose body = lookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp);
-    inputs_.acceptFootprint(core::Polygon(toCore(message.polygon, body)));
+    inputs_.acceptFootprint(core::Polygon(toCore(message.polygon, body)),
+                            {header.stamp, arrived.steady});
     if (scene_) scene_->footprint = *inputs_.footprint();
     return;
   } catch (const TransformError& error) {
@@ -150,19 +172,19 @@ void Pipeline::adopt(const geometry_msgs::PolygonStamped& message) {
     problem.add(Warning::REASON_FOOTPRINT_INVALID,
                 "the footprint on " + names_.footprint + " is refused: " + error.what());
   }
-  inputs_.refuseFootprint(problem);
+  inputs_.refuse(InputKind::kFootprint, problem, now);
 }
 
 /// The last good message stays predicted, but the level is at least UNKNOWN until a good one comes.
 void Pipeline::refuse(const Findings& why, const Moment& now) {
-  inputs_.refuseObstacles(why);
+  inputs_.refuse(InputKind::kObstacles, why, now);
   publish_({warningNow(now, Counts::kAsNew), {}, now});
 }
 
 CollisionWarning Pipeline::warningNow(const Moment& now, Counts counts, Findings findings) {
   findings.add(inputs_.tooOld(now, scene_ ? scene_->odometry : std::nullopt));
   const bool usable = scene_ && !findings.makeUnknown();
-  findings.add(inputs_.standing());
+  findings.add(inputs_.standing(now));
   if (!usable) return warning(nullptr, now.ros, findings, now, counts);
   findings.add(scene_->findings);
   // Without known motions nothing can be carried on: what touched at the stamp is all that is
@@ -175,24 +197,14 @@ CollisionWarning Pipeline::warningNow(const Moment& now, Counts counts, Findings
   return warning(&evaluated, stamp, findings, now, counts);
 }
 
-/// \param counts only obstacles messages change the level that is held
 CollisionWarning Pipeline::warning(const Evaluated* evaluated, const ros::Time& stamp,
                                    Findings& findings, const Moment& now, Counts counts) {
-  core::Level seen = core::Level::kUnknown;
+  Sight sight;
   if (evaluated) {
     const auto& first = evaluated->prediction.first;
-    seen = core::assess(first ? std::make_optional(first->contact.time) : std::nullopt,
-                        !findings.makeUnknown(), parameters_.thresholds);
+    sight = {true, first ? std::make_optional(first->contact.time) : std::nullopt};
   }
-  if (counts == Counts::kAsNew) hold_.update(seen);
-  if (counts == Counts::kAsReplacement) hold_.replaceNewest(seen);
-  const core::Level level = hold_.shown(seen);
-  const std::string in_a_row =
-      std::to_string(parameters_.clear_after) + " obstacles messages in a row (~clear_after)";
-  if (level == core::Level::kUnknown && !findings.makeUnknown())
-    findings.add(Warning::REASON_SETTLING, "the inputs are good, but not yet for " + in_a_row);
-  if (level != core::Level::kUnknown && core::isWorse(level, seen))
-    findings.add(0, "the level is held until a lower one is given by " + in_a_row);
+  const core::Level level = level_.judge(sight, counts, findings);
   CollisionWarning msg = warningMsg(evaluated, stamp, level, findings, parameters_);
   msg.data_age = inputs_.age(now, scene_ ? scene_->odometry : std::nullopt);
   return msg;

@@ -8,9 +8,11 @@
 #include <optional>
 
 #include "inputs.hpp"
+#include "level_state.hpp"
 #include "message_decoding.hpp"
 #include "moment.hpp"
 #include "parameters.hpp"
+#include "report.hpp"
 #include "scene.hpp"
 #include "waiting_queue.hpp"
 #include "warning_message.hpp"
@@ -32,6 +34,11 @@ class Pipeline {
   Pipeline(const Parameters& parameters, const InputNames& names, tf2::BufferCore& tf,
            bool simulated_clock, Publish publish);
 
+  /// Takes effect with the next obstacles message, so that no evaluation mixes old and new; at once
+  /// when nothing is being predicted.
+  /// \param parameters of which only those may differ that can be changed live
+  void reconfigure(const Parameters& parameters) { pending_ = parameters; }
+
   void receiveObstacles(const RawMessage& message, const Moment& now);
   void receiveFootprint(const RawMessage& message, const Moment& now);
   void receiveOdometry(const RawMessage& message, const Moment& now);
@@ -43,29 +50,39 @@ class Pipeline {
   /// The warning as of now, between messages: robot and obstacles are carried on from their stamp.
   CollisionWarning repeat(const Moment& now);
 
+  /// \param publishers_of the nodes that the master knows as publishers of a topic
+  void setRegistered(const Inputs::PublishersOf& publishers_of) {
+    inputs_.setRegistered(publishers_of);
+  }
+  Report report(const Moment& now) const;
+
  private:
+  void adoptPending();
   void watchClock(const Moment& now);
   void take(const Waiting& waiting, const Moment& now);
   void evaluate(const ObstacleArray& message, const Moment& arrived, const Moment& now);
-  void adopt(const geometry_msgs::PolygonStamped& message);
+  void adopt(const geometry_msgs::PolygonStamped& message, const Moment& arrived,
+             const Moment& now);
   void refuse(const Findings& why, const Moment& now);
+  TransformReport transformReport(const Moment& now) const;
 
-  enum class Counts { kNot, kAsNew, kAsReplacement };
   CollisionWarning warningNow(const Moment& now, Counts counts, Findings findings = {});
   CollisionWarning warning(const Evaluated* evaluated, const ros::Time& stamp, Findings& findings,
                            const Moment& now, Counts counts);
 
-  const Parameters parameters_;
+  Parameters parameters_;
+  std::optional<Parameters> pending_;
   const InputNames names_;
   tf2::BufferCore& tf_;
   const Publish publish_;
 
-  // [s] A simulated clock may reach this process late; odometry from a little later does no harm.
-  const double largest_odometry_lead_;
+  const bool simulated_clock_;
   Inputs inputs_;
-  core::LevelHold hold_;
+  LevelState level_;
   WaitingQueue queue_;
-  std::optional<Scene> scene_;  // of the last good obstacles message
+  std::optional<Scene> scene_;   // of the last good obstacles message
+  std::string obstacles_frame_;  // of the last one, good or not
+  double waited_ = 0;            // [s] that it waited for its transform and odometry
 };
 
 }  // namespace footprint_collision_predictor

@@ -8,14 +8,12 @@ namespace {
 
 constexpr double kCosineOfLargestTilt = 0.86602540378443865;  // 30 degrees
 
-std::string newestTransform(const tf2::BufferCore& tf, const std::string& reference,
-                            const std::string& frame) try {
-  const ros::Time newest = tf.lookupTransform(reference, frame, ros::Time(0)).header.stamp;
+std::string newestText(const std::optional<ros::Time>& newest) {
+  if (!newest)
+    return "there is none at any time; check that both frames are published and connected";
   std::ostringstream text;
-  text << "the newest there is is from " << newest;
+  text << "the newest there is is from " << *newest;
   return text.str();
-} catch (const std::exception&) {
-  return "there is none at any time; check that both frames are published and connected";
 }
 
 }  // namespace
@@ -45,8 +43,8 @@ PlanarPose lookUpPose(const tf2::BufferCore& tf, const std::string& reference,
     throw TransformError(where.str() + error.what());
   } catch (const std::exception& error) {
     // tf2's own, and std::runtime_error for times too far from those that tf2 knows
-    throw TransformError(where.str() + error.what() + " (" + newestTransform(tf, reference, frame) +
-                         ")");
+    throw TransformError(where.str() + error.what() + " (" +
+                         newestText(newestTransform(tf, reference, frame)) + ")");
   }
 }
 
@@ -55,6 +53,14 @@ bool canLookUpPose(const tf2::BufferCore& tf, const std::string& reference,
   return reference == frame || tf.canTransform(reference, frame, time);
 } catch (const std::exception&) {
   return false;
+}
+
+std::optional<ros::Time> newestTransform(const tf2::BufferCore& tf, const std::string& reference,
+                                         const std::string& frame) try {
+  if (reference == frame) return ros::Time(0);
+  return tf.lookupTransform(reference, frame, ros::Time(0)).header.stamp;
+} catch (const std::exception&) {
+  return std::nullopt;
 }
 
 }  // namespace footprint_collision_predictor

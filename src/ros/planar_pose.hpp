@@ -4,6 +4,7 @@
 #include <geometry_msgs/Transform.h>
 #include <tf2/buffer_core.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -46,5 +47,10 @@ PlanarPose lookUpPose(const tf2::BufferCore& tf, const std::string& reference,
 /// Whether lookUpPose would find the transform now.
 bool canLookUpPose(const tf2::BufferCore& tf, const std::string& reference,
                    const std::string& frame, const ros::Time& time);
+
+/// Stamp of the newest transform between two frames: zero when it is the same at all times, nothing
+/// when there is none.
+std::optional<ros::Time> newestTransform(const tf2::BufferCore& tf, const std::string& reference,
+                                         const std::string& frame);
 
 }  // namespace footprint_collision_predictor

@@ -11,6 +11,7 @@ struct RawMessage {
   std::string type;  ///< as the publisher names it, e.g. "nav_msgs/Odometry"
   std::string md5;
   std::vector<std::uint8_t> bytes;
+  std::string publisher{};  ///< name of the node that sent it; empty when not known
 };
 
 }  // namespace footprint_collision_predictor

@@ -11,6 +11,7 @@
 
 #include "findings.hpp"
 #include "footprint_collision_predictor/ObstacleArray.h"
+#include "input_record.hpp"
 #include "moment.hpp"
 #include "odometry_history.hpp"
 #include "parameters.hpp"
@@ -21,7 +22,7 @@ namespace footprint_collision_predictor {
 /// it.
 struct Refusal {
   Findings why;
-  enum class Of { kObstacles, kFootprint } of;
+  InputKind of;
 };
 
 struct Waiting {

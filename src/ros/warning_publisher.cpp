@@ -3,9 +3,7 @@
 #include <ros/console.h>
 
 #include <random>
-#include <sstream>
 
-#include "findings.hpp"
 #include "moment.hpp"
 
 namespace footprint_collision_predictor {
@@ -15,22 +13,11 @@ namespace {
 // a burst both arrive.
 constexpr std::uint32_t kQueueSize = 100;
 
-std::string described(const CollisionWarning& warning) {
-  static const char* const kNames[] = {"UNKNOWN", "CLEAR", "WARN", "CRITICAL"};
-  std::ostringstream text;
-  text << kNames[warning.level];
-  if (warning.collision_predicted != 0)
-    text << ": contact in " << warning.time_to_collision << " s, segment " << warning.segment
-         << ", obstacle " << warning.obstacle_id;
-  if (!warning.message.empty()) text << ": " << warning.message;
-  return text.str();
-}
-
-void log(const CollisionWarning& warning) {
-  if (warning.level == CollisionWarning::CLEAR)
-    ROS_INFO_STREAM(described(warning));
+void log(const LogLine& line) {
+  if (line.is_good_news)
+    ROS_INFO_STREAM(line.text);
   else
-    ROS_WARN_STREAM(described(warning));
+    ROS_WARN_STREAM(line.text);
 }
 
 }  // namespace
@@ -55,22 +42,10 @@ void WarningPublisher::publishIfSilent(double seconds, const Substitute& substit
 void WarningPublisher::send(CollisionWarning warning) {
   warning.session = last_.session;
   warning.sequence = last_.sequence + 1;
-  logChange(warning);
   publisher_.publish(warning);
-  last_ = std::move(warning);
   last_time_ = ros::SteadyTime::now();
-}
-
-/// A new level is told at once; new reasons for the same level at most once a second.
-void WarningPublisher::logChange(const CollisionWarning& warning) {
-  const ros::SteadyTime now = ros::SteadyTime::now();
-  const bool quiet = secondsBetween(logged_time_, now) > 1;
-  const bool first = logged_time_.isZero();
-  if (!first && warning.level == logged_.level && (warning.reason == logged_.reason || !quiet))
-    return;
-  log(warning);
-  logged_ = warning;
-  logged_time_ = now;
+  if (const auto line = log_.update(warning, last_time_)) log(*line);
+  last_ = std::move(warning);
 }
 
 CollisionWarning WarningPublisher::last() const {

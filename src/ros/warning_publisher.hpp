@@ -8,10 +8,11 @@
 #include <mutex>
 
 #include "footprint_collision_predictor/CollisionWarning.h"
+#include "warning_log.hpp"
 
 namespace footprint_collision_predictor {
 
-/// Thread-safe. Fills in `sequence` and `session`, and logs every change of level and of reasons.
+/// Thread-safe. Fills in `sequence` and `session`, and logs changes of level and of reasons.
 class WarningPublisher {
  public:
   explicit WarningPublisher(ros::NodeHandle& node);
@@ -26,14 +27,12 @@ class WarningPublisher {
 
  private:
   void send(CollisionWarning warning);
-  void logChange(const CollisionWarning& warning);
 
   mutable std::mutex mutex_;
   ros::Publisher publisher_;
   CollisionWarning last_;
   ros::SteadyTime last_time_;
-  CollisionWarning logged_;
-  ros::SteadyTime logged_time_;
+  WarningLog log_;
 };
 
 }  // namespace footprint_collision_predictor

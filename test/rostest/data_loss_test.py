@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """CLEAR needs fresh data; before and after them it is UNKNOWN, and the heartbeat goes on."""
 import math
-import threading
 
-import rospy
+from feed import Feed
 from footprint_collision_predictor.msg import CollisionWarning
 from node_testing import BOX, PATIENT, circle
 from ros_test_case import RosTestCase, run
@@ -11,27 +10,6 @@ from ros_test_case import RosTestCase, run
 MAX_AGE = 0.5
 HEARTBEAT = 1 / 20.0
 MARGIN = 0.15  # [s] with one heartbeat, the 200 ms in which a fault must be told
-
-
-class Feed:
-    """Calls a function with fresh stamps, 50 times a second, until it is stopped."""
-
-    def __init__(self, send):
-        self._send = send
-        self._stopped = threading.Event()
-        self._thread = threading.Thread(target=self._run)
-        self._thread.start()
-
-    def _run(self):
-        while not self._stopped.is_set():
-            self.last = self._send(stamp=rospy.Time.now())
-            self._stopped.wait(0.02)
-
-    def stop(self):
-        """Returns the last stamp sent."""
-        self._stopped.set()
-        self._thread.join()
-        return self.last
 
 
 class DataLoss(RosTestCase):
@@ -58,7 +36,7 @@ class DataLoss(RosTestCase):
         self.assertEqual(warning.footprint, 'footprint')
         self.assertEqual(warning.horizon, 5)
 
-    def test_clear_only_after_three_fresh_empty_lists(self):
+    def test_Fault10_clear_only_after_three_fresh_empty_lists(self):
         node = self.rig(**PATIENT)
         first, second, third = [node.warning_at(node.send()) for _ in range(3)]
         for settling in first, second:
@@ -71,13 +49,13 @@ class DataLoss(RosTestCase):
         before = node.warnings.messages[:node.warnings.messages.index(third)]
         self.assertFalse([w for w in before if w.level != w.UNKNOWN])
 
-    def test_obstacles_stop(self):
+    def test_Fault18_obstacles_stop(self):
         node = self.rig(footprint=BOX, ego_motion='static', max_data_age=MAX_AGE)
         feed = self.feed(node.send)
         self.wait_clear(node)
         self.check_loss(node, feed.stop(), CollisionWarning.REASON_OBSTACLES_STALE)
 
-    def test_odometry_stops(self):
+    def test_Fault18_odometry_stops(self):
         node = self.rig(footprint=BOX, max_data_age=MAX_AGE)
         self.feed(node.send)
         odometry = self.feed(node.send_odometry)
@@ -95,7 +73,7 @@ class DataLoss(RosTestCase):
         self.assertLessEqual(delay, MAX_AGE + HEARTBEAT + MARGIN)
         self.assertGreater(delay, MAX_AGE - 2 * HEARTBEAT, 'fresh data were called lost')
 
-    def test_loss_is_not_held_back_by_a_hit(self):
+    def test_Fault18_loss_is_not_held_back_by_a_hit(self):
         """CRITICAL becomes UNKNOWN when the hit is no longer known."""
         node = self.rig(footprint=BOX, ego_motion='static', max_data_age=MAX_AGE)
         stamp = node.send([circle(7, (2, 0), (-1, 0))])

@@ -30,7 +30,7 @@ class FootprintRefused(RosTestCase):
             mark = self.send(BOX)
             self.node.warnings.wait_for(lambda w: not w.reason & reason, 'acceptance', mark)
 
-    def test_each_rule(self):
+    def test_Fault01_Fault03_Fault06_each_rule(self):
         self.check_refused([(1, 1), (NAN, 1), (0, 0)], 'vertex 1', 'nan')
         self.check_refused([(1, 1), (float('inf'), 1), (0, 0)], 'vertex 1', 'inf')
         self.check_refused([], 'at least 3', '0')
@@ -41,7 +41,7 @@ class FootprintRefused(RosTestCase):
         self.check_refused([(2e4, 0), (0, 2e4), (0, 0)], '10000')
         self.check_refused([(1e9, 0), (0, 1e9), (0, 0)], '1e+08')
 
-    def test_too_many_vertices(self):
+    def test_Fault07_too_many_vertices(self):
         self.check_refused([(i, i * i) for i in range(1001)], '1001 vertices', 'max_vertices 1000',
                            reason=CollisionWarning.REASON_LIMIT)
 

@@ -29,17 +29,17 @@ class FootprintSources(RosTestCase):
             self.assertPoint(segment.start, *BOX[i], tolerance=tolerance)
             self.assertPoint(segment.end, *BOX[(i + 1) % 4], tolerance=tolerance)
 
-    def test_string(self):
+    def test_Fault42_string(self):
         text = rospy.get_param('/as_string')
         self.assertIsInstance(text, str)
         self.check(self.rig(**dict(PATIENT, footprint=text)))
 
-    def test_list(self):
+    def test_Fault42_list(self):
         vertices = rospy.get_param('/as_list')
         self.assertIsInstance(vertices, list)
         self.check(self.rig(**dict(PATIENT, footprint=vertices)))
 
-    def test_list_of_whole_numbers(self):
+    def test_Fault42_list_of_whole_numbers(self):
         node = self.rig(**dict(PATIENT, footprint=[[1, 1], [-1, 1], [-1, -1], [1, -1]]))
         warning = node.warning_at(node.send([circle(7, (3, 0), (-1, 0))]))
         self.assertAlmostEqual(warning.time_to_collision, 1.5, delta=1e-9)

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """An obstacle that cannot be is named, and UNKNOWN; a certain hit beside it is still CRITICAL."""
 import math
+import struct
 
-from footprint_collision_predictor.msg import CollisionWarning
+from footprint_collision_predictor.msg import CollisionWarning, ObstacleArray
 from geometry_msgs.msg import Point
 from node_testing import PATIENT, circle
+from raw_messages import raw, resident_memory, serialized, stamped
 from ros_test_case import RosTestCase, run
 
 NAN, INF = math.nan, math.inf
@@ -57,7 +59,7 @@ class InvalidObstacles(RosTestCase):
         self.assertEqual(warning.contact_free_time, 0)
         self.assertEqual(prediction.segments[3].obstacle_index, 1)
 
-    def test_table(self):
+    def test_Fault02_Fault05_Fault06_table(self):
         for name, obstacle, field in CASES:
             with self.subTest(name):
                 self.check_alone(obstacle, field)
@@ -87,12 +89,12 @@ class InvalidObstacles(RosTestCase):
         self.assertSays(warning, 'id 42', 'id 43', 'id 44', '7 more')
         self.assertNotIn('id 45', warning.message)
 
-    def test_a_point_is_valid(self):
+    def test_Fault05_a_point_is_valid(self):
         warning, _ = self.answer(circle(7, (3, 0), (-1, 0), radius=0))
         self.assertEqual(warning.reason & INVALID, 0)
         self.assertAlmostEqual(warning.time_to_collision, 2.0, delta=1e-9)
 
-    def test_duplicate_ids_are_both_predicted(self):
+    def test_Fault14_duplicate_ids_are_both_predicted(self):
         warning, prediction = self.answer(circle(42, (0, 3), (0, -1)),
                                          circle(42, (3, 0), (-1, 0), radius=0.25))
         self.assertEqual(warning.reason & ~warning.REASON_SETTLING, warning.REASON_DUPLICATE_ID)
@@ -102,12 +104,29 @@ class InvalidObstacles(RosTestCase):
         warning, _ = self.answer(circle(-1, (0, 9)), circle(-1, (9, 0)))
         self.assertEqual(warning.reason & warning.REASON_DUPLICATE_ID, 0, '-1 is never one')
 
-    def test_too_many(self):
+    def test_Fault07_too_many(self):
         node = self.rig(**dict(PATIENT, max_obstacles=5))
         node.send([circle(i, (30, 0)) for i in range(6)])
         warning = node.warning_with(CollisionWarning.REASON_LIMIT)
         self.assertUnknown(warning, CollisionWarning.REASON_LIMIT)
         self.assertSays(warning, '6', 'max_obstacles 5')
+
+    def test_Fault07_far_too_many_take_no_memory(self):
+        """10 MB of obstacles, ten times as many as allowed, five times over."""
+        node = self.rig(None, **PATIENT)
+        raw_class = raw(ObstacleArray)
+        publisher = node.publisher('obstacles', raw_class)
+        memory = resident_memory(node.process)
+        for _ in range(5):
+            message = serialized(stamped(ObstacleArray(obstacles=[circle(-1, (30, 0))])))
+            start = len(message) - len(serialized(circle(-1, (30, 0)))) - 4
+            many = message[:start] + struct.pack('<I', 100000) + 100000 * message[start + 4:]
+            mark = node.warnings.mark()
+            publisher.publish(raw_class(many))
+            warning = node.warning_with(CollisionWarning.REASON_LIMIT, mark)
+            self.assertUnknown(warning, CollisionWarning.REASON_LIMIT)
+            self.assertSays(warning, '100000 obstacles', '~max_obstacles 10000')
+        self.assertLess(resident_memory(node.process) - memory, 50e6)
 
 
 if __name__ == '__main__':

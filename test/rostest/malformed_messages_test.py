@@ -1,57 +1,17 @@
 #!/usr/bin/env python3
 """Bytes that are not the message they claim to be are refused before memory is taken for them."""
-import io
-import struct
-
-import genpy
 import geometry_msgs.msg
 import nav_msgs.msg
 import rospy
 from foreign_messages import from_costmap_converter, from_obstacle_detector
 from footprint_collision_predictor.msg import CollisionWarning, ObstacleArray
 from node_testing import BOX, PATIENT, circle
+from raw_messages import raw, resident_memory, serialized, stamped, with_lie
 from ros_test_case import RosTestCase, run
 
 MOST_GROWTH = 10e6  # [bytes]
 LONGEST_SILENCE = 0.15  # [s]
 LIES = (0xffffffff, 0x7fffffff, 700000000, 3)
-
-
-def raw(message_class):
-    """Published as that type, but what goes over the wire is just these bytes."""
-    class Raw(genpy.Message):
-        __slots__ = ['data']
-        _slot_types = ['string']
-        _type, _md5sum = message_class._type, message_class._md5sum
-        _full_text, _has_header = message_class._full_text, False
-
-        def serialize(self, buff):
-            buff.write(self.data)
-
-        def deserialize(self, data):
-            self.data = data
-            return self
-    return Raw
-
-
-def serialized(message):
-    buffer = io.BytesIO()
-    message.serialize(buffer)
-    return buffer.getvalue()
-
-
-def stamped(message):
-    message.header.frame_id, message.header.stamp = 'base_link', rospy.Time.now()
-    return message
-
-
-def with_lie(data, offset, lie):
-    return data[:offset] + struct.pack('<I', lie) + data[offset + 4:]
-
-
-def resident_memory(process):
-    with open('/proc/%d/statm' % process.pid) as file:
-        return 4096 * int(file.read().split()[1])
 
 
 def some_of(wrong):
@@ -107,29 +67,29 @@ class MalformedMessages(RosTestCase):
     SCENE = [circle(7, (30, 0))]
     LIST = 12 + 4 + len('base_link')  # offset of what follows the header
 
-    def test_own_type(self):
+    def test_Fault08_Fault09_own_type(self):
         good = stamped(ObstacleArray(obstacles=self.SCENE))
         outline = len(serialized(good)) - 4
         self.check('obstacles', good, self.every_way(self.LIST, outline), self.OBSTACLES, **PATIENT)
 
-    def test_obstacle_detector(self):
+    def test_Fault08_Fault09_obstacle_detector(self):
         good = stamped(from_obstacle_detector(self.SCENE, margin=0))
         self.check('obstacles', good, self.every_way(self.LIST, self.LIST + 4), self.OBSTACLES,
                    **PATIENT)
 
-    def test_costmap_converter(self):
+    def test_Fault08_Fault09_costmap_converter(self):
         good = stamped(from_costmap_converter(self.SCENE))
         polygon = self.LIST + 4 + 16
         wrong = self.every_way(self.LIST, polygon)
         self.check('obstacles', good, some_of(wrong), self.OBSTACLES, **PATIENT)
 
-    def test_footprint(self):
+    def test_Fault08_Fault09_footprint(self):
         good = stamped(geometry_msgs.msg.PolygonStamped())
         good.polygon.points = [geometry_msgs.msg.Point32(x, y, 0) for x, y in BOX]
         self.check('footprint', good, self.every_way(self.LIST),
                    CollisionWarning.REASON_FOOTPRINT_INVALID, ego_motion='static')
 
-    def test_odometry(self):
+    def test_Fault08_Fault09_odometry(self):
         good = stamped(nav_msgs.msg.Odometry())
         self.check('odom', good, some_of(self.every_way(self.LIST)),
                    CollisionWarning.REASON_ODOM_INVALID, footprint=BOX)

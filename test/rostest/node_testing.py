@@ -87,9 +87,9 @@ class Recorder:
                 if predicate(self.messages[i]):
                     return self.messages[i]
 
-    def wait_connected(self):
-        wait_until(lambda: self._subscriber.get_num_connections() > 0,
-                   'a publisher of ' + self._topic)
+    def wait_connected(self, publishers=1):
+        wait_until(lambda: self._subscriber.get_num_connections() >= publishers,
+                   '%d publishers of %s' % (publishers, self._topic))
 
     def close(self):
         self._subscriber.unregister()
@@ -121,13 +121,19 @@ class Rig:
         self._publishers = {}
         for name, value in parameters.items():
             rospy.set_param('/'.join((self.namespace, NODE, name)), value)
-        self.process = subprocess.Popen(
-            [find_node(PACKAGE, NODE)[0], '__ns:=' + self.namespace, '__name:=' + NODE])
         try:
+            self.process = self._start()
             self._connect(obstacles_class)
         except BaseException:
             self.close()
             raise
+
+    def _start(self):
+        """The process that the node lives in."""
+        return self.run(find_node(PACKAGE, NODE)[0], name=NODE)
+
+    def run(self, *command, name):
+        return subprocess.Popen([*command, '__ns:=' + self.namespace, '__name:=' + name])
 
     def _connect(self, obstacles_class):
         self.warnings = self._kept(Recorder(self.topic('collision_warning'), CollisionWarning))

@@ -58,7 +58,7 @@ class ObstacleTypes(RosTestCase):
     def test_costmap_converter(self):
         self.check(*self.answer(from_costmap_converter(SCENE)), ids=(7, 8, 9))
 
-    def test_leading_slash(self):
+    def test_Fault11_leading_slash(self):
         self.check(*self.answer(from_costmap_converter(SCENE), frame='/base_link'), ids=(7, 8, 9))
 
     def test_corner_alone(self):

@@ -19,7 +19,7 @@ class Odometry(RosTestCase):
     def driving(self, **parameters):
         return self.rig(**dict(PATIENT, ego_motion='odom', **parameters))
 
-    def test_the_newest_at_or_before_the_stamp(self):
+    def test_Fault23_the_newest_at_or_before_the_stamp(self):
         """It drives 1 m/s before, 2 m/s after; at the stamp itself the new speed counts."""
         node = self.driving(transform_tolerance=20.0)
         first, between, second = ago(0.3), ago(0.2), ago(0.1)
@@ -30,7 +30,7 @@ class Odometry(RosTestCase):
         node.send([STANDING], stamp=second)
         self.assertAlmostEqual(node.warning_at(second).time_to_collision, 1.25, delta=1e-9)
 
-    def test_an_older_one_is_ignored(self):
+    def test_Fault22_an_older_one_is_ignored(self):
         node = self.driving(transform_tolerance=20.0)
         older, newer = ago(0.2), ago(0.1)
         node.send_odometry((1, 0), stamp=newer)
@@ -45,7 +45,7 @@ class Odometry(RosTestCase):
         warning = node.warning_at(node.send([STANDING], stamp=before))
         self.assertUnknown(warning, warning.REASON_ODOM_MISSING)
 
-    def test_stale_at_the_stamp(self):
+    def test_Fault23_stale_at_the_stamp(self):
         node = self.driving()
         node.send_odometry((1, 0), stamp=ago(31))
         warning = node.warning_at(node.send([STANDING]))

@@ -15,7 +15,8 @@ BOW_TIE = [[1.0, 1.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0]]
 
 # Times that must be positive, rates and counts: every way to get one wrong.
 NUMBERS = [(name, value)
-           for name in ('horizon', 'warn_time', 'critical_time', 'max_data_age', 'heartbeat_rate')
+           for name in ('horizon', 'warn_time', 'critical_time', 'max_data_age', 'heartbeat_rate',
+                        'diagnostic_period')
            for value in ('1e-3', math.nan, math.inf, -1.0, 0.0, 0, 1e300, True, [1.0], {'a': 1.0})]
 NUMBERS += [('transform_tolerance', value) for value in ('1e-3', math.nan, -0.1, False)]
 NUMBERS += [(name, value) for name in ('clear_after', 'max_obstacles', 'max_vertices')
@@ -81,7 +82,7 @@ class Parameters(RosTestCase):
             for word in words:
                 self.assertIn(word, output)
 
-    def test_table(self):
+    def test_Fault39_Fault40_Fault42_table(self):
         for parameters, words in CASES:
             self.check(parameters, *words)
 

@@ -81,14 +81,14 @@ class SimulatedClock(RosTestCase):
         for warning in self.node.warnings.messages[mark:]:
             self.assertUnknown(warning, reason)
 
-    def test_never_starts(self):
+    def test_Fault21_never_starts(self):
         self.check_beating(CLOCK)
         self.assertSays(self.node.next_warning(), '/clock', '--clock', 'use_sim_time')
         self.node.send(stamp=rospy.Time(100))
         self.check_beating(CLOCK)
         self.assertFalse(self.node.predictions.messages)
 
-    def test_stands_still(self):
+    def test_Fault21_stands_still(self):
         clock = self.started(1000)
         self.send_until(clock, lambda w: w.level == w.CLEAR, 'CLEAR')
         clock.halt()
@@ -106,11 +106,11 @@ class SimulatedClock(RosTestCase):
         still = self.node.warning_with(CLOCK, self.node.warnings.mark())
         self.assertUnknown(still, CLOCK)
 
-    def test_jumps_back(self):
+    def test_Fault19_jumps_back(self):
         """What was known of the old time is gone; fresh data of the new time are right at once."""
         log = Recorder('/rosout', rosgraph_msgs.msg.Log)
         self.addCleanup(log.close)
-        log.wait_connected()
+        log.wait_connected(2)  # the node, and this test itself
         clock = self.started(1000)
         self.send_until(clock, lambda w: w.level == w.CRITICAL, 'CRITICAL', [circle(7, (1.25, 0))])
         clock.jump(500)
@@ -128,7 +128,7 @@ class SimulatedClock(RosTestCase):
         self.send_until(clock, lambda w: w.level == w.CLEAR, 'CLEAR')
         self.assertEqual(len([e for e in log.messages if 'jumped back' in e.msg]), 1)
 
-    def test_transforms_of_the_old_time_are_dropped(self):
+    def test_Fault19_transforms_of_the_old_time_are_dropped(self):
         """The clock jumps back to where the tf buffer still had an answer, of the old time."""
         clock = self.started(1000)
         self.node.send_transforms(
@@ -147,7 +147,7 @@ class SimulatedClock(RosTestCase):
             'the answer', mark)
         self.assertUnknown(answer, answer.REASON_TRANSFORM)
 
-    def test_jumps_forward(self):
+    def test_Fault20_jumps_forward(self):
         clock = self.started(1000)
         self.send_until(clock, lambda w: w.level == w.CLEAR, 'CLEAR')
         mark = self.node.warnings.mark()

@@ -28,11 +28,11 @@ class Stamps(RosTestCase):
         good = node.warning_at(node.send())
         self.assertEqual(good.reason, good.REASON_SETTLING, good)
 
-    def test_zero(self):
+    def test_Fault15_zero(self):
         self.check_refused(self.clear_node(), rospy.Time(), CollisionWarning.REASON_STAMP,
                            'stamp 0', 'source')
 
-    def test_future(self):
+    def test_Fault16_future(self):
         self.check_refused(self.clear_node(), ago(-3600), CollisionWarning.REASON_STAMP,
                            'ahead of the clock', '--hz 1000')
 
@@ -42,23 +42,23 @@ class Stamps(RosTestCase):
         stamp = node.send(stamp=ago(-0.025))
         self.assertEqual(node.warning_at(stamp).level, CollisionWarning.CLEAR)
 
-    def test_older_than_max_data_age(self):
+    def test_Fault17_older_than_max_data_age(self):
         self.check_refused(self.clear_node(), ago(60), CollisionWarning.REASON_OBSTACLES_STALE,
                            'old when it came', 'max_data_age 30 s')
 
-    def test_years_old(self):
+    def test_Fault17_years_old(self):
         self.check_refused(self.clear_node(), ago(9 * 365.25 * 86400),
                            CollisionWarning.REASON_OBSTACLES_STALE,
                            '9 years', '--clock', 'use_sim_time')
 
-    def test_old_latched_message(self):
+    def test_Fault12_old_latched_message(self):
         """What a latched publisher sent before the node started is not taken for fresh."""
         node = self.rig(**dict(PATIENT, max_data_age=0.5))
         node.send(stamp=ago(10))
         self.assertUnknown(node.warning_with(CollisionWarning.REASON_OBSTACLES_STALE),
                            CollisionWarning.REASON_OBSTACLES_STALE)
 
-    def test_out_of_order(self):
+    def test_Fault22_out_of_order(self):
         """The older one is ignored, whatever it says; the newer one stays predicted."""
         node = self.rig(**PATIENT)
         newest = node.send([circle(7, (30, 0))])
@@ -74,7 +74,7 @@ class Stamps(RosTestCase):
         after = node.warning_at(node.send())
         self.assertEqual(after.reason & after.REASON_OUT_OF_ORDER, 0)
 
-    def test_equal_stamp_replaces(self):
+    def test_Fault22_equal_stamp_replaces(self):
         node = self.rig(**PATIENT)
         stamp = node.send([circle(7, (30, 0))])
         node.send([circle(8, (3, 0), (-1, 0))], stamp=stamp)

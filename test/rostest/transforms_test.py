@@ -21,21 +21,21 @@ class Transforms(RosTestCase):
         self.assertTrue(math.isnan(warning.time_to_collision), warning)
         return warning
 
-    def test_empty_frame(self):
+    def test_Fault11_empty_frame(self):
         node = self.rig(**PATIENT)
         self.check_refused(node, '', node.topic('obstacles'), 'empty frame_id')
 
-    def test_unknown_frame(self):
+    def test_Fault11_unknown_frame(self):
         node = self.rig(**PATIENT)
         self.check_refused(node, 'atlantis', '"atlantis"', '"base_link"', 'none at any time')
 
-    def test_split_tree(self):
+    def test_Fault24_split_tree(self):
         node = self.rig(**dict(PATIENT, transform_tolerance=1.0))
         node.send_static_transforms(transform('map', 'tower', 1, 2),
                                     transform('odom', 'base_link', 1, 2))
         self.check_refused(node, 'tower', '"tower"', '"base_link"')
 
-    def test_newest_there_is(self):
+    def test_Fault24_newest_there_is(self):
         """An old transform is no answer for now; its time is told."""
         node = self.rig(**dict(PATIENT, transform_tolerance=1.0))
         stamp = node.send()
@@ -44,12 +44,12 @@ class Transforms(RosTestCase):
         warning = self.check_refused(node, 'map', '"map"', '"base_link"', 'the newest there is')
         self.assertIn('%d.' % stamp.secs, warning.message)
 
-    def test_infinite_translation(self):
+    def test_Fault26_infinite_translation(self):
         node = self.rig(**dict(PATIENT, transform_tolerance=20.0))
         node.send_static_transforms(transform('map', 'base_link', math.inf, 0))
         self.check_refused(node, 'map', '"map"', '"base_link"', 'not finite')
 
-    def test_tilted_frame(self):
+    def test_Fault27_tilted_frame(self):
         """40 degrees of roll."""
         tilted = transform('map', 'base_link', 0, 0)
         tilted.transform.rotation.x = math.sin(math.radians(20))
@@ -58,7 +58,7 @@ class Transforms(RosTestCase):
         node.send_static_transforms(tilted)
         self.check_refused(node, 'map', 'tilted', '30 degrees')
 
-    def test_late_transform_is_waited_for(self):
+    def test_Fault25_late_transform_is_waited_for(self):
         """No answer comes until the transform has, and then it is the right one."""
         node = self.rig(**dict(PATIENT, transform_tolerance=25.0))
         mark = node.warnings.mark()
@@ -92,7 +92,7 @@ class Transforms(RosTestCase):
         self.assertAlmostEqual(node.warning_at(stamp).time_to_collision, 1.5, delta=1e-9)
         self.assertTrue(node.is_alive())
 
-    def test_nothing_piles_up(self):
+    def test_Fault25_nothing_piles_up(self):
         """200 messages that nothing can answer are each refused in their turn; then all is well."""
         node = self.rig(**PATIENT)
         for _ in range(200):

@@ -25,7 +25,7 @@ class UnknownType(RosTestCase):
         self.warning = self.node.warning_with(CollisionWarning.REASON_OBSTACLES_TYPE)
         return process
 
-    def test_it_is_named_with_those_that_fit(self):
+    def test_Fault13_it_is_named_with_those_that_fit(self):
         self.publish_strings()
         for warning in self.warning, self.node.next_warning(), self.node.next_warning():
             self.assertUnknown(warning, CollisionWarning.REASON_OBSTACLES_TYPE)

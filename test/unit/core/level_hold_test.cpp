@@ -121,5 +121,20 @@ TEST(LevelHold, AReplacementCountsWithWhatItReplacesAtTheWorseOfBoth) {
   EXPECT_EQ(hold.shown(Level::kClear), Level::kUnknown);
 }
 
+TEST(LevelHold, AnotherLengthKeepsWhatIsHeldAndCountsAnew) {
+  LevelHold hold(3);
+  hold.update(Level::kCritical);
+  hold.update(Level::kClear);
+  hold.update(Level::kClear);
+  hold.setClearAfter(2);
+  EXPECT_EQ(hold.shown(Level::kClear), Level::kCritical);
+  hold.update(Level::kClear);
+  EXPECT_EQ(hold.shown(Level::kClear), Level::kCritical);
+  hold.update(Level::kClear);
+  EXPECT_EQ(hold.shown(Level::kClear), Level::kClear);
+  hold.setClearAfter(5);
+  EXPECT_EQ(hold.shown(Level::kClear), Level::kClear);
+}
+
 }  // namespace
 }  // namespace footprint_collision_predictor::core

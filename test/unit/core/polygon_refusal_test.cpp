@@ -31,24 +31,24 @@ void expectRefusal(const std::vector<Vec2>& vertices, const std::string& rule,
         << text << "\ndoes not name " << n;
 }
 
-TEST(PolygonRefusal, FewerThanThreeVertices) {
+TEST(PolygonRefusal, Fault03FewerThanThreeVertices) {
   expectRefusal({}, "vertices", {0, 3});
   expectRefusal({{0, 0}, {1, 0}}, "vertices", {2, 3});
 }
 
-TEST(PolygonRefusal, NotFinite) {
+TEST(PolygonRefusal, Fault01NotFinite) {
   expectRefusal({{0, 0}, {kNan, 0}, {1, 1}}, "finite", {1});
   expectRefusal({{0, 0}, {1, 0}, {1, kNan}}, "finite", {2});
   expectRefusal({{0, 0}, {1, 0}, {1, kInf}}, "finite", {2});
   expectRefusal({{-kInf, 0}, {1, 0}, {1, 1}}, "finite", {0});
 }
 
-TEST(PolygonRefusal, CoordinatesBeyondTheLimit) {
+TEST(PolygonRefusal, Fault06CoordinatesBeyondTheLimit) {
   expectRefusal({{0, 0}, {1, 0}, {1, 1.1e8}}, "1e\\+?0?8|100000000", {2});
   expectRefusal({{0, 0}, {-1.1e8, 0}, {1, 1}}, "1e\\+?0?8|100000000", {1});
 }
 
-TEST(PolygonRefusal, TooLarge) {
+TEST(PolygonRefusal, Fault06TooLarge) {
   expectRefusal({{0, 0}, {10001, 0}, {0, 1}}, "1e\\+?0?4|10000\\b", {});
   expectRefusal({{0, -6000}, {1, 0}, {0, 6000}}, "1e\\+?0?4|10000\\b", {});
   expectRefusal({{0, 0}, {-10001, 0}, {0, 1}}, "10001", {});  // where only the smallest tells
@@ -56,7 +56,7 @@ TEST(PolygonRefusal, TooLarge) {
   expectRefusal({{1, 0}, {0, 1}, {0, -10000}}, "10001", {});
 }
 
-TEST(PolygonRefusal, EqualNeighbours) {
+TEST(PolygonRefusal, Fault03EqualNeighbours) {
   expectRefusal({{0, 0}, {1, 0}, {1, 0}, {1, 1}}, "equal|same|repeat", {1, 2});
   expectRefusal({{0, 0}, {0, 0}, {1, 0}, {1, 1}}, "equal|same|repeat", {0, 1});
   EXPECT_EQ(refusalOf({{0, 0}, {0, 0}, {1, 0}}).find("leave it out"), std::string::npos);
@@ -67,7 +67,7 @@ TEST(PolygonRefusal, LastEqualsFirst) {
   expectRefusal({{0, 0}, {1, 0}, {1, 1}, {0, 0}}, "(equal|same|repeat).*leave it out", {0, 3});
 }
 
-TEST(PolygonRefusal, CrossingEdges) {
+TEST(PolygonRefusal, Fault03CrossingEdges) {
   expectRefusal({{0, 0}, {2, 2}, {2, 0}, {0, 2}},
                 "segments 0 and 2 cross.*vertex 0 \\(0, 0\\) and vertex 2 \\(2, 0\\)", {});
   expectRefusal({{0, 0}, {4, 0}, {4, 4}, {2, -1}, {0, 4}}, "cross", {0, 2});
@@ -103,7 +103,7 @@ TEST(PolygonRefusal, ASpikeOpenByADenormal) {
                 "touch|back", {});
 }
 
-TEST(PolygonRefusal, NoArea) {
+TEST(PolygonRefusal, Fault03NoArea) {
   expectRefusal({{0, 0}, {1, 0}, {2, 0}}, "no area", {});
   expectRefusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, "no area", {});
   expectRefusal({{1, 1}, {3, 3}, {2, 2}}, "no area", {});

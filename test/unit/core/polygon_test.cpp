@@ -29,7 +29,7 @@ TEST(Polygon, TheBoxOfTheLecture) {
   expectNear(box.centroid(), {1.5, 1.5}, 1e-15);
 }
 
-TEST(Polygon, TheWindingChangesOnlyTheSign) {
+TEST(Polygon, Fault04TheWindingChangesOnlyTheSign) {
   EXPECT_EQ(signedArea(reversed(kBox)), 1);
   expectNear(centroid(reversed(kBox)), {1.5, 1.5}, 1e-15);
   EXPECT_TRUE(Polygon(reversed(kBox)).isCounterClockwise());
@@ -57,21 +57,21 @@ TEST(Polygon, FarFromTheOriginNothingIsLost) {
   expectNear(rounded.centroid(), {1e6 + 0.5, 1e6 + 0.3}, 1e-9);
 }
 
-TEST(Polygon, ConcaveCentroid) {
+TEST(Polygon, Fault04ConcaveCentroid) {
   // (3 * (1.5, 0.5) + 2 * (0.5, 2)) / 5 = (1.1, 1.1)
   expectNear(Polygon(kL).centroid(), {1.1, 1.1}, 1e-15);
   expectNear(Polygon(reversed(kL)).centroid(), {1.1, 1.1}, 1e-15);
   EXPECT_EQ(Polygon(kL).area(), 5);
 }
 
-TEST(Polygon, CollinearVerticesAreAccepted) {
+TEST(Polygon, Fault04CollinearVerticesAreAccepted) {
   const Polygon p({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 1}});
   EXPECT_EQ(p.area(), 4);
   EXPECT_EQ(p.size(), 6u);
   expectNear(p.centroid(), {1, 1}, 1e-15);
 }
 
-TEST(Polygon, VeryShortEdgesAreAccepted) {
+TEST(Polygon, Fault04VeryShortEdgesAreAccepted) {
   EXPECT_NEAR(Polygon({{0, 0}, {2, 0}, {2, 1e-12}, {2, 1}, {1e-9, 1}, {0, 1}}).area(), 2, 1e-9);
   EXPECT_NO_THROW(Polygon({{0, 0}, {1e-6, 0}, {0, 1e-6}}));
 }

@@ -1,6 +1,7 @@
 // Bad input is refused by name, and what is certain is still said.
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pipeline_fixture.hpp"
 
@@ -134,6 +135,38 @@ TEST_F(PipelineFaults, Fault07TooManyObstacles) {
   parameters.max_obstacles = 2;
   expectUnknown(send(100, {circleAhead(9, 0), circleAhead(9, 0), circleAhead(9, 0)}),
                 Warning::REASON_LIMIT, "~max_obstacles 2");
+}
+
+TEST_F(PipelineFaults, Fault23FootprintOdometryAndObstaclesStampedApartAreBroughtToOneTime) {
+  parameters.footprint.reset();
+  parameters.ego_motion = EgoMotion::kOdom;
+  setTransform("odom", "base_link", 99.8, 0, 0, 0);
+  setTransform("odom", "base_link", 100, 2, 0, 0);
+  sendFootprint(100, 99.8, 0.5, "odom");  // about base_link as it was then
+  sendOdometry(100, 99.95, 1, 0);
+  sendOdometry(100.01, 100.01, 3, 0);
+  // 3 m before base_link at its stamp; less half a footprint and the radius, at 1 m/s.
+  const Warning warning = send(100.02, 100, {circleAhead(5, 0)}, "odom");
+  EXPECT_NEAR(warning.time_to_collision, 2, 1e-9) << warning.message;
+}
+
+TEST_F(PipelineFaults, Fault37AnExceptionIsUnknownAndTheNextMessageIsAnswered) {
+  bool fails = true;
+  std::vector<Warning> answers;
+  Pipeline failing(parameters, {"/obstacles", "/footprint", "/odom"}, tf, simulated,
+                   [&](const Answer& answer) {
+                     if (std::exchange(fails, false)) throw std::runtime_error("out of luck");
+                     answers.push_back(answer.warning);
+                   });
+  ObstacleArray array;
+  array.header.frame_id = "base_link";
+  array.header.stamp = ros::Time(100);
+  failing.receiveObstacles(serialized(array), at(100));
+  ASSERT_EQ(answers.size(), 1u);
+  expectUnknown(answers[0], Warning::REASON_OBSTACLES_INVALID, "out of luck");
+  array.header.stamp = ros::Time(100.1);
+  failing.receiveObstacles(serialized(array), at(100.1));
+  EXPECT_EQ(answers.back().reason, Warning::REASON_SETTLING) << answers.back().message;
 }
 
 }  // namespace

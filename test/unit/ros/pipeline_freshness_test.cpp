@@ -126,7 +126,7 @@ TEST_F(PipelineFreshness, MessagesWithOneStampCountOnce) {
   EXPECT_EQ(send(100.3, {}).level, Warning::CLEAR);
 }
 
-TEST_F(PipelineFreshness, AnEvaluationThatTookTooLongIsUnknown) {
+TEST_F(PipelineFreshness, Fault35AnEvaluationThatTookTooLongIsUnknown) {
   for (double t = 100; t < 100.25; t += 0.1) send(t, {});
   const Warning clear = warnings.back();
   ASSERT_EQ(clear.level, Warning::CLEAR);

@@ -19,7 +19,7 @@ TEST_F(PipelineMotion, TheRobotsVelocityCountsAsMuchAsTheObstacles) {
   EXPECT_EQ(predictions.back().twist.linear.x, 1.5);
 }
 
-TEST_F(PipelineMotion, WaitsForOdometryAtOrAfterTheStampAndUsesThatBefore) {
+TEST_F(PipelineMotion, Fault23WaitsForOdometryAtOrAfterTheStampAndUsesThatBefore) {
   sendOdometry(99.9, 1);
   send(100, {circleAhead(3, 0)});
   EXPECT_TRUE(warnings.empty());

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""More work than fits a period of the heartbeat is UNKNOWN, never a late answer as if in time."""
+import re
+import struct
+
+from footprint_collision_predictor.msg import CollisionWarning, ObstacleArray
+from node_testing import PATIENT, circle
+from raw_messages import raw, serialized, stamped
+from ros_test_case import RosTestCase, run
+
+DEADLINE = CollisionWarning.REASON_DEADLINE
+MANY = 50000  # each of them takes some 100 ns; the period is 1 ms
+
+
+class Deadline(RosTestCase):
+    def setUp(self):
+        self.node = self.rig(None, **dict(PATIENT, heartbeat_rate=1000.0, max_obstacles=MANY + 1))
+        self.message = raw(ObstacleArray)
+        self.publisher = self.node.publisher('obstacles', self.message)
+
+    def send(self, obstacle, count):
+        """That obstacle so many times. Returns the stamp."""
+        message = stamped(ObstacleArray(obstacles=[obstacle]))
+        one = serialized(obstacle)
+        head = serialized(message)[:-len(one) - 4]
+        self.publisher.publish(self.message(head + struct.pack('<I', count) + count * one))
+        return message.header.stamp
+
+    def test_Fault35_too_much_work(self):
+        stamp = self.send(circle(-1, (30, 0)), MANY)
+        late = self.node.warning_at(stamp)
+        self.assertUnknown(late, DEADLINE)
+        self.assertSays(late, '%d obstacles' % MANY, 'longer than the period', '~heartbeat_rate')
+        took, period = [float(n) for n in re.findall(r'(\d+\.\d+) s', late.message)[:2]]
+        self.assertGreater(took, period)
+        self.assertEqual(period, 0.001)
+
+    def test_Fault35_a_certain_hit_is_still_critical(self):
+        late = self.node.warning_at(self.send(circle(-1, (3, 0), (-1, 0)), MANY))
+        self.assertEqual(late.level, late.CRITICAL)
+        self.assertEqual(late.reason & DEADLINE, DEADLINE)
+        self.assertEqual(late.contact_free_time, 0)
+
+    def test_Fault35_all_is_well_when_there_is_less_to_do(self):
+        self.node.warning_at(self.send(circle(-1, (30, 0)), MANY))
+        for _ in range(3000):
+            self.send(circle(-1, (30, 0)), 1)
+            try:
+                self.node.warnings.wait_for(lambda w: w.level == w.CLEAR, 'CLEAR', timeout=0.01)
+                return
+            except AssertionError:
+                continue
+        self.fail(self.node.next_warning())
+
+
+if __name__ == '__main__':
+    run('deadline', Deadline)

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Two nodes that publish one input: degraded and both named, but no less is known."""
+import subprocess
+
+import rospy
+from diagnostics_reading import OK, WARN, DiagnosticsReader, values
+from node_testing import PATIENT
+from ros_test_case import RosTestCase, run
+
+
+class SeveralPublishers(RosTestCase):
+    def setUp(self):
+        self.node = self.rig(**dict(PATIENT, diagnostic_period=0.1))
+        self.diagnostics = DiagnosticsReader(self.node.namespace)
+        self.addCleanup(self.diagnostics.close)
+        for _ in range(3):
+            self.node.warning_at(self.node.send())
+
+    def second(self, *arguments):
+        """Another process that publishes obstacles, or only says that it would."""
+        process = subprocess.Popen(
+            ['rostopic', 'pub', '-s', self.node.topic('obstacles'),
+             'footprint_collision_predictor/ObstacleArray',
+             '{header: {stamp: now, frame_id: base_link}}', '__name:=second_tracker', *arguments])
+        self.addCleanup(process.wait)
+        self.addCleanup(process.terminate)
+        return process
+
+    def check_degraded(self):
+        several = self.node.warnings.wait_for(
+            lambda w: w.reason & w.REASON_SEVERAL_PUBLISHERS and w.level == w.CLEAR, 'degraded')
+        self.assertEqual(several.reason % (1 << 24), 0, several)
+        self.assertGreater(several.contact_free_time, 0)
+        self.assertSays(several, rospy.get_name(), '/second_tracker', self.node.topic('obstacles'))
+        status = self.diagnostics.wait_for('obstacles', lambda s: s.level == WARN, 'WARN')
+        for text in status.message, values(status)['publishers']:
+            self.assertIn(rospy.get_name(), text)
+            self.assertIn('/second_tracker', text)
+        self.diagnostics.wait_for('collision', lambda s: s.level == WARN, 'WARN')
+
+    def test_Fault30_two_that_send(self):
+        second = self.second('-r', '20')
+        self.check_degraded()
+        second.terminate()
+        second.wait()
+        alone = self.node.warnings.wait_for(
+            lambda w: not w.reason & w.REASON_SEVERAL_PUBLISHERS, 'one alone',
+            self.node.warnings.mark())
+        self.assertEqual(alone.level, alone.CLEAR)
+        self.diagnostics.wait_for('obstacles', lambda s: s.level == OK, 'OK',
+                                  self.diagnostics.mark())
+
+    def test_Fault30_one_that_is_silent(self):
+        """The master names it: of a type that does not fit, not even a connection would come."""
+        self.second('--latch')
+        self.check_degraded()
+
+
+if __name__ == '__main__':
+    run('several_publishers', SeveralPublishers)
