@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "partial_file.hpp"
 #include "scenario_writer.hpp"
 
 namespace footprint_collision_predictor::tools {

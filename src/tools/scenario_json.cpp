@@ -1,7 +1,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "partial_file.hpp"
 #include "scenario_writer.hpp"
 
 namespace footprint_collision_predictor::tools {

@@ -2,18 +2,12 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
+#include "partial_file.hpp"
 #include "scenario.hpp"
 
 namespace footprint_collision_predictor::tools {
-
-/// Thrown when a file cannot be written; what() names it and says why.
-class WriteError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Second at which every scenario starts; 0.1 s is a whole number of nanoseconds after it.
 constexpr unsigned kStartSecond = 1600000000;
