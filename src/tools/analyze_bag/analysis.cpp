@@ -1,7 +1,5 @@
 #include "analysis.hpp"
 
-#include <mutex>
-
 #include "../exit_status.hpp"
 #include "analysis_status.hpp"
 #include "bag_problem.hpp"
@@ -9,13 +7,6 @@
 
 namespace footprint_collision_predictor::tools {
 namespace {
-
-/// The bag library loads plugins when a bag is made, which is not for several threads at once.
-std::unique_ptr<Recording> opened(const std::string& path) {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  return std::make_unique<Recording>(path);
-}
 
 double seconds(const Window& window) { return (window.end - window.begin).toSec(); }
 
@@ -26,12 +17,12 @@ BagReport BagAnalysis::analyze(std::size_t index, OutputFolder* output, Progress
   report.bag = options_.bags.at(index);
   try {
     run(index, output, progress, report);
+    progress.set(index, 1);
   } catch (const BagProblem& problem) {
     report.status = problem.status();
     report.problem = problem.what();
     report.partial = report.statistics.evaluations() > 0;
   }
-  progress.set(index, 1);
   return report;
 }
 
@@ -39,9 +30,9 @@ BagReport BagAnalysis::look(std::size_t index) const {
   BagReport report;
   report.bag = options_.bags.at(index);
   try {
-    const auto recording = opened(report.bag);
-    report.window = windowOf(recording->span(), report.bag);
-    report.topics = chooseTopics(report.bag, recording->topics(), options_, parameters_);
+    const Recording recording(report.bag);
+    report.window = windowOf(recording.span(), report.bag);
+    report.topics = chooseTopics(report.bag, recording.topics(), options_, parameters_);
   } catch (const BagProblem& problem) {
     report.status = problem.status();
     report.problem = problem.what();
@@ -55,9 +46,9 @@ void BagAnalysis::run(std::size_t index, OutputFolder* output, Progress& progres
     report.partial = true;
     return;
   }
-  const auto recording = opened(report.bag);
-  report.window = windowOf(recording->span(), report.bag);
-  report.topics = chooseTopics(report.bag, recording->topics(), options_, parameters_);
+  const Recording recording(report.bag);
+  report.window = windowOf(recording.span(), report.bag);
+  report.topics = chooseTopics(report.bag, recording.topics(), options_, parameters_);
   EventFinder events(parameters_.thresholds.warn_time, parameters_.max_data_age);
   const auto take = [&](const Evaluation& evaluation) {
     report.statistics.take(evaluation);
@@ -73,7 +64,7 @@ void BagAnalysis::run(std::size_t index, OutputFolder* output, Progress& progres
     report.refused_transforms = replay.refusedTransforms();
   };
   try {
-    recording->read(
+    recording.read(
         report.window, report.topics.inputs, [] { return !isInterrupted(); },
         [&](const RecordedMessage& message) {
           reached = std::max(reached, message.recorded);

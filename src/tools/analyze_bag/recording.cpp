@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <mutex>
 #include <set>
 #include <tuple>
 
@@ -26,9 +27,9 @@ bool endsWith(const std::string& text, const std::string& end) {
 }
 
 void requireFile(const std::string& path) {
+  errno = 0;
   std::ifstream in(path, std::ios::binary);
   std::string start(8, '\0');
-  errno = 0;
   if (!in.read(start.data(), 8) && errno != 0) unreadable(path, std::strerror(errno));
   if (start != "#ROSBAG ")
     unreadable(path,
@@ -70,6 +71,20 @@ bool isLatched(const rosbag::ConnectionInfo& connection) {
   return found != connection.header->end() && found->second == "1";
 }
 
+/// The bag library loads and unloads a plugin with every bag, which is not for several threads at
+/// once.
+std::shared_ptr<rosbag::Bag> opened(const std::string& path) {
+  static std::recursive_mutex mutex;
+  const auto close = [](rosbag::Bag* bag) {
+    const std::lock_guard<std::recursive_mutex> lock(mutex);
+    delete bag;
+  };
+  const std::lock_guard<std::recursive_mutex> lock(mutex);
+  std::shared_ptr<rosbag::Bag> bag(new rosbag::Bag, close);
+  bag->open(path, rosbag::bagmode::Read);
+  return bag;
+}
+
 /// Gives the bag library room for the bytes of a message whose length only it knows.
 struct ByteStream {
   std::vector<std::uint8_t>& bytes;
@@ -97,8 +112,8 @@ ros::Time justBefore(const ros::Time& time) { return time - ros::Duration(0, 1);
 Recording::Recording(const std::string& path) : path_(path) {
   requireFile(path);
   reading(path, [&] {
-    bag_.open(path, rosbag::bagmode::Read);
-    rosbag::View all(bag_);
+    bag_ = opened(path);
+    rosbag::View all(*bag_);
     if (all.size() == 0) unreadable(path, "there is no message in it");
     span_ = {all.getBeginTime(), all.getEndTime()};
   });
@@ -106,7 +121,7 @@ Recording::Recording(const std::string& path) : path_(path) {
 
 std::vector<RecordedTopic> Recording::topics() const {
   std::set<std::tuple<std::string, std::string, std::string>> found;
-  for (const rosbag::ConnectionInfo* info : rosbag::View(bag_).getConnections())
+  for (const rosbag::ConnectionInfo* info : rosbag::View(*bag_).getConnections())
     found.emplace(info->topic, info->datatype, info->md5sum);
   std::vector<RecordedTopic> topics;
   for (const auto& [name, type, md5] : found) topics.push_back({name, type, md5});
@@ -114,7 +129,7 @@ std::vector<RecordedTopic> Recording::topics() const {
 }
 
 std::size_t Recording::messagesOf(const std::string& topic) const {
-  return rosbag::View(bag_, rosbag::TopicQuery(topic)).size();
+  return rosbag::View(*bag_, rosbag::TopicQuery(topic)).size();
 }
 
 void Recording::read(const Window& window, const std::map<std::string, Input>& inputs,
@@ -125,8 +140,8 @@ void Recording::read(const Window& window, const std::map<std::string, Input>& i
   rosbag::View view;
   reading(path_, [&] {
     const ros::Time recent = std::max(span_.begin, earlier(window.begin, kLeadIn));
-    if (recent > span_.begin) view.addQuery(bag_, latched, span_.begin, justBefore(recent));
-    view.addQuery(bag_, wanted, recent, window.end);
+    if (recent > span_.begin) view.addQuery(*bag_, latched, span_.begin, justBefore(recent));
+    view.addQuery(*bag_, wanted, recent, window.end);
   });
   rosbag::View::iterator message;
   reading(path_, [&] { message = view.begin(); });

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,7 @@ class Recording {
 
  private:
   std::string path_;
-  rosbag::Bag bag_;
+  std::shared_ptr<rosbag::Bag> bag_;
   Window span_;
 };
 
