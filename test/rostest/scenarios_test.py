@@ -1,27 +1,15 @@
 #!/usr/bin/env python3
 """Every scenario, replayed through the node, gives its exact answers for every segment and message."""
-import json
 import math
-import os
-import subprocess
 import tempfile
 
 import rospy
-from node_testing import PACKAGE, wait_until
+from node_testing import wait_until
 from recorded_data import play
 from ros_test_case import RosTestCase, run
-from roslib.packages import find_node
+from scenario_bags import made
 
 TOLERANCE = 1e-6  # [s]
-
-
-def made(scenario, folder):
-    """Path of the scenario's bag, and its answers."""
-    bag = os.path.join(folder, scenario + '.bag')
-    subprocess.check_call([find_node(PACKAGE, 'make_scenario')[0], scenario, '-o', bag],
-                          stdout=subprocess.DEVNULL)
-    with open(os.path.join(folder, scenario + '.json')) as answers:
-        return bag, json.load(answers)
 
 
 def expected(seconds):
