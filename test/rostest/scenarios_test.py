@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Every scenario, replayed through the node, gives its exact answers for every segment and message."""
 import math
+import subprocess
 import tempfile
 
 import rospy
@@ -23,21 +24,56 @@ class Scenarios(RosTestCase):
     def test_head_on(self):
         self.check('head_on')
 
+    def test_overtaking(self):
+        self.check('overtaking')
+
     def test_near_miss(self):
         self.check('near_miss')
+
+    def test_graze(self):
+        self.check('graze')
+
+    def test_cut_in(self):
+        self.check('cut_in')
+
+    def test_brake(self):
+        self.check('brake')
+
+    def test_crowd_with_noise(self):
+        self.check('crowd', '--count', '30', '--seed', '5', '--noise', '0.05')
+
+    def test_stale_tracker(self):
+        self.check('stale_tracker')
 
     def test_none(self):
         self.check('none')
 
-    def check(self, scenario):
+    def test_looped_clock(self):
+        """The bag has the clock itself, which jumps back."""
         with tempfile.TemporaryDirectory() as folder:
-            bag, answers = made(scenario, folder)
-            node = self.rig(None, transform_tolerance=10.0, max_data_age=10.0,
-                            **answers['parameters'])
+            bag, answers = made('looped_clock', folder)
+            node = self.patient_rig(answers)
+            player = subprocess.Popen(
+                ['rosbag', 'play', '--quiet', '--wait-for-subscribers', bag,
+                 'obstacles:=' + node.topic('obstacles'), 'odom:=' + node.topic('odom')],
+                stdin=subprocess.DEVNULL)
+            self.addCleanup(player.kill)
+            self.assertEqual(player.wait(120), 0, 'exit status of rosbag play')
+        self.check_predictions(node, answers, answers['messages'] * 2)
+
+    def check(self, scenario, *options):
+        with tempfile.TemporaryDirectory() as folder:
+            bag, answers = made(scenario, folder, *options)
+            node = self.patient_rig(answers)
             player = play(self, bag, ('obstacles', 'odom', '/tf'), '--rate', '4',
                           'obstacles:=' + node.topic('obstacles'), 'odom:=' + node.topic('odom'))
             self.assertEqual(player.wait(120), 0, 'exit status of rosbag play')
-        messages = answers['messages']
+        self.check_predictions(node, answers, answers['messages'])
+
+    def patient_rig(self, answers):
+        return self.rig(None, transform_tolerance=10.0, max_data_age=10.0, **answers['parameters'])
+
+    def check_predictions(self, node, answers, messages):
         predictions = node.predictions.messages
         wait_until(lambda: len(predictions) >= len(messages), '%d predictions' % len(messages))
         self.assertEqual(len(predictions), len(messages))
@@ -45,7 +81,8 @@ class Scenarios(RosTestCase):
             self.compare(answers['start'], message, prediction)
         warning = node.warnings.wait_for(
             lambda w: w.header.stamp == predictions[-1].header.stamp, 'the last answer')
-        self.assertEqual(warning.collision_predicted, int(messages[-1]['time_to_collision'] is not None))
+        self.assertEqual(warning.collision_predicted,
+                         int(messages[-1]['time_to_collision'] is not None))
 
     def compare(self, start, message, prediction):
         stamp = prediction.header.stamp - rospy.Time(start)

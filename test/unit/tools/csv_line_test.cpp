@@ -1,4 +1,4 @@
-#include "csv_line.hpp"
+#include "analyze_bag/csv_line.hpp"
 
 #include <gtest/gtest.h>
 

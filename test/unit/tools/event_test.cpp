@@ -1,5 +1,5 @@
 // Where an approach begins and ends.
-#include "event.hpp"
+#include "analyze_bag/event.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What rosparam makes of the same text: its values and types.
-#include "yaml_parameters.hpp"
+#include "analyze_bag/yaml_parameters.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
