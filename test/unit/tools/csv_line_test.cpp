@@ -1,4 +1,4 @@
-#include "analyze_bag/csv_line.hpp"
+#include "analysis/csv_line.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where an approach begins and ends.
-#include "analyze_bag/event.hpp"
+#include "analysis/event.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The time of a recording: what is evaluated when, and by which clock.
-#include "analyze_bag/replay.hpp"
+#include "analysis/replay.hpp"
 
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Clock.h>

@@ -1,5 +1,5 @@
 // What rosparam makes of the same text: its values and types.
-#include "analyze_bag/yaml_parameters.hpp"
+#include "analysis/yaml_parameters.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

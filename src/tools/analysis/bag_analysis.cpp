@@ -1,4 +1,4 @@
-#include "analysis.hpp"
+#include "bag_analysis.hpp"
 
 #include "../exit_status.hpp"
 #include "analysis_status.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis.hpp"
+#include "bag_analysis.hpp"
 
 namespace footprint_collision_predictor::tools {
 

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "../exit_status.hpp"
-#include "analysis.hpp"
 #include "analysis_status.hpp"
+#include "bag_analysis.hpp"
 #include "interruption.hpp"
 #include "node_parameters.hpp"
 #include "outcome.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "analysis.hpp"
+#include "bag_analysis.hpp"
 
 namespace footprint_collision_predictor::tools {
 
