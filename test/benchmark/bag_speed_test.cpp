@@ -140,6 +140,6 @@ int main(int argc, char** argv) {
   else if (argc == 3 && std::strcmp(argv[1], "read") == 0)
     read(argv[2]);
   else
-    return std::fprintf(stderr, "usage: bag_speed write FILE MESSAGES | read FILE\n"), 2;
+    return std::fprintf(stderr, "usage: bag_speed_test write FILE MESSAGES | read FILE\n"), 2;
   return 0;
 }
