@@ -6,6 +6,8 @@
 #include <nav_msgs/Odometry.h>
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "footprint_collision_predictor/ObstacleArray.h"
 #include "parameters.hpp"
@@ -25,6 +27,15 @@ class LimitExceeded : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// A type by its name and the md5 sum of the version that is understood.
+struct MessageType {
+  std::string name;
+  std::string md5;
+};
+
+/// Those that decodeObstacles takes.
+std::vector<MessageType> obstacleTypes();
 
 /// Takes footprint_collision_predictor/ObstacleArray, obstacle_detector/Obstacles (circles first,
 /// then line segments as outlines) and costmap_converter/ObstacleArrayMsg (one vertex: a circle;

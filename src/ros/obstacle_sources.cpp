@@ -109,14 +109,21 @@ void readCostmapConverter(WireReader& in, const Parameters& p, ObstacleArray& ar
 }
 
 [[noreturn]] void refuseType(const RawMessage& message) {
+  std::string fitting;
+  for (const MessageType& type : obstacleTypes())
+    fitting += (fitting.empty() ? "" : ", ") + type.name + " (md5 " + type.md5 + ")";
   throw UnknownType("it carries " + message.type + " (md5 " + message.md5 +
-                    "); the types that fit are footprint_collision_predictor/ObstacleArray (md5 " +
-                    ros::message_traits::MD5Sum<ObstacleArray>::value() +
-                    "), obstacle_detector/Obstacles (md5 " + kObstacleDetectorMd5 +
-                    ") and costmap_converter/ObstacleArrayMsg (md5 " + kCostmapConverterMd5 + ")");
+                    "); the types that fit are " + fitting);
 }
 
 }  // namespace
+
+std::vector<MessageType> obstacleTypes() {
+  return {{ros::message_traits::DataType<ObstacleArray>::value(),
+           ros::message_traits::MD5Sum<ObstacleArray>::value()},
+          {"obstacle_detector/Obstacles", kObstacleDetectorMd5},
+          {"costmap_converter/ObstacleArrayMsg", kCostmapConverterMd5}};
+}
 
 ObstacleArray decodeObstacles(const RawMessage& message, const Parameters& parameters) {
   const auto read = [&] {

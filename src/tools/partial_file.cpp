@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <cstring>
 
-#include "scenario_writer.hpp"
-
 namespace footprint_collision_predictor::tools {
 
 PartialFile::PartialFile(const std::string& path) : path_(path), partial_path_(path + ".part") {

@@ -1,9 +1,16 @@
 // Output that appears under its name only when it is complete.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 namespace footprint_collision_predictor::tools {
+
+/// Thrown when a file cannot be written; what() names it and says why.
+class WriteError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Hands out a name beside `path` to write to; finish() moves that file to `path`, and without it
 /// (an error, an exception) it is removed.

@@ -1,48 +1,57 @@
 #include <footprint_collision_predictor/ObstacleArray.h>
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
+#include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 #include <memory>
 
-#include "partial_file.hpp"
 #include "scenario_writer.hpp"
 
 namespace footprint_collision_predictor::tools {
 namespace {
 
-constexpr long kOdometryRate = 50;         // [Hz]
-constexpr long kOdometryPerObstacles = 5;  // so 10 Hz
-constexpr long kNanoseconds = 1'000'000'000;
+constexpr long kOdometryPerObstacles = 5;
+// [s] By the recorder's clock: between the two rounds of a loop, and from the first tick of a clock
+// to the first message that is stamped by it.
+constexpr double kLoopPause = 0.45;
+constexpr double kClockLead = 0.3;
 
-ros::Time stampOf(long odometry_index) {
-  const long ns = odometry_index * (kNanoseconds / kOdometryRate);
-  return {kStartSecond + static_cast<unsigned>(ns / kNanoseconds),
-          static_cast<unsigned>(ns % kNanoseconds)};
+/// The i-th of so many per second, as [s] since the start; rounded to a nanosecond as stamps are.
+double timeOf(long i, double rate) {
+  return static_cast<double>(std::llround(1e9 * static_cast<double>(i) / rate)) / 1e9;
 }
 
-geometry_msgs::Quaternion headingQuaternion() {
-  geometry_msgs::Quaternion q;
-  q.z = std::sqrt((1 - kHeading.x) / 2);  // half angle; the heading is in the first quadrant
-  q.w = std::sqrt((1 + kHeading.x) / 2);
-  return q;
+long countUntil(double duration, double rate) {
+  return std::lround(std::floor(duration * rate + 1e-6)) + 1;
 }
 
-nav_msgs::Odometry odometryAt(const Scenario& scenario, double t, const ros::Time& stamp) {
+bool isSilent(const Scenario& scenario, double t) {
+  return scenario.silence && t > scenario.silence->after && t < scenario.silence->before;
+}
+
+Point turned(const Point& p, double heading) {
+  return {std::cos(heading) * p.x - std::sin(heading) * p.y,
+          std::sin(heading) * p.x + std::cos(heading) * p.y};
+}
+
+nav_msgs::Odometry odometryAt(const Scenario& scenario, double t) {
   nav_msgs::Odometry odometry;
-  odometry.header.stamp = stamp;
+  odometry.header.stamp = stampAt(t);
   odometry.header.frame_id = "odom";
   odometry.child_frame_id = "base_link";
-  const Point position = robotPosition(scenario, t);
-  odometry.pose.pose.position.x = position.x;
-  odometry.pose.pose.position.y = position.y;
-  odometry.pose.pose.orientation = headingQuaternion();
+  const Pose pose = robotPose(scenario, t);
+  odometry.pose.pose.position.x = pose.position.x;
+  odometry.pose.pose.position.y = pose.position.y;
+  odometry.pose.pose.orientation.z = std::sin(pose.heading / 2);
+  odometry.pose.pose.orientation.w = std::cos(pose.heading / 2);
   odometry.twist.twist.linear.x = scenario.robot_speed;
+  odometry.twist.twist.angular.z = scenario.yaw_rate;
   return odometry;
 }
 
-tf2_msgs::TFMessage transformFrom(const nav_msgs::Odometry& odometry) {
+tf2_msgs::TFMessage transformsFrom(const Scenario& scenario, const nav_msgs::Odometry& odometry) {
   geometry_msgs::TransformStamped transform;
   transform.header = odometry.header;
   transform.child_frame_id = odometry.child_frame_id;
@@ -51,49 +60,98 @@ tf2_msgs::TFMessage transformFrom(const nav_msgs::Odometry& odometry) {
   transform.transform.rotation = odometry.pose.pose.orientation;
   tf2_msgs::TFMessage message;
   message.transforms.push_back(transform);
+  for (std::size_t i = 1; i < scenario.bodies.size(); ++i) {
+    transform.header.frame_id = "base_link";
+    transform.child_frame_id = scenario.bodies[i].frame;
+    transform.transform.translation.x = scenario.bodies[i].origin.x;
+    transform.transform.translation.y = scenario.bodies[i].origin.y;
+    transform.transform.rotation = geometry_msgs::Quaternion();
+    transform.transform.rotation.w = 1;
+    message.transforms.push_back(transform);
+  }
   return message;
 }
 
-ObstacleArray obstaclesAt(const Scenario& scenario, double t, const ros::Time& stamp) {
+Obstacle obstacleFrom(const Circle& circle, const Pose& robot) {
+  Obstacle obstacle;
+  const Point offset = turned(circle.position, robot.heading);
+  const Point velocity = turned(circle.velocity, robot.heading);
+  const Point acceleration = turned(circle.acceleration, robot.heading);
+  obstacle.id = circle.id;
+  obstacle.position.x = robot.position.x + offset.x;
+  obstacle.position.y = robot.position.y + offset.y;
+  obstacle.velocity.x = velocity.x;
+  obstacle.velocity.y = velocity.y;
+  obstacle.acceleration.x = acceleration.x;
+  obstacle.acceleration.y = acceleration.y;
+  obstacle.radius = circle.radius;
+  return obstacle;
+}
+
+ObstacleArray obstaclesAt(const Scenario& scenario, const ScenarioOptions& options, double t) {
   ObstacleArray message;
-  message.header.stamp = stamp;
+  message.header.stamp = stampAt(t);
   message.header.frame_id = "odom";
-  for (const auto& from : scenario.obstacles) {
-    Obstacle obstacle;
-    const Point position = obstaclePosition(scenario, from, t);
-    const Point velocity = obstacleVelocity(scenario, from);
-    obstacle.id = from.id;
-    obstacle.position.x = position.x;
-    obstacle.position.y = position.y;
-    obstacle.velocity.x = velocity.x;
-    obstacle.velocity.y = velocity.y;
-    obstacle.radius = from.radius;
-    message.obstacles.push_back(obstacle);
-  }
+  const Pose robot = robotPose(scenario, t);
+  for (const Circle& circle : measured(scenario, options, t))
+    message.obstacles.push_back(obstacleFrom(circle, robot));
   return message;
 }
 
-void writeMessages(const Scenario& scenario, double duration, rosbag::Bag& bag) {
-  const long last = std::lround(std::floor(duration * kOdometryRate + 1e-6));
-  for (long i = 0; i <= last; ++i) {
-    const ros::Time stamp = stampOf(i);
-    const double t = static_cast<double>(i) / kOdometryRate;
-    const auto odometry = odometryAt(scenario, t, stamp);
-    bag.write("/tf", stamp, transformFrom(odometry));
-    bag.write("odom", stamp, odometry);
-    if (i % kOdometryPerObstacles == 0)
-      bag.write("obstacles", stamp, obstaclesAt(scenario, t, stamp));
+rosgraph_msgs::Clock clockAt(double t) {
+  rosgraph_msgs::Clock clock;
+  clock.clock = stampAt(t);
+  return clock;
+}
+
+/// \param shift [s] from stamps to the times of recording
+void writeRound(const Scenario& scenario, const ScenarioOptions& options, double shift,
+                rosbag::Bag& bag) {
+  const double odometry_rate = options.rate * kOdometryPerObstacles;
+  if (scenario.looped) bag.write("/clock", stampAt(shift - kClockLead), clockAt(0));
+  for (long i = 0; i < countUntil(options.duration, odometry_rate); ++i) {
+    const double t = timeOf(i, odometry_rate);
+    const ros::Time recorded = stampAt(t + shift);
+    const auto odometry = odometryAt(scenario, t);
+    if (scenario.looped) bag.write("/clock", recorded, clockAt(t));
+    bag.write("/tf", recorded, transformsFrom(scenario, odometry));
+    bag.write("odom", recorded, odometry);
+    if (i % kOdometryPerObstacles == 0 && !isSilent(scenario, t))
+      bag.write("obstacles", recorded, obstaclesAt(scenario, options, t));
   }
+}
+
+/// A looped clock is a simulator's, so that the recorder has another: later by a minute.
+void writeMessages(const Scenario& scenario, const ScenarioOptions& options, rosbag::Bag& bag) {
+  constexpr double kOtherClock = 60;  // [s]
+  if (!scenario.looped) return writeRound(scenario, options, 0, bag);
+  writeRound(scenario, options, kOtherClock, bag);
+  writeRound(scenario, options, kOtherClock + options.duration + kLoopPause, bag);
 }
 
 }  // namespace
 
-void writeBag(const Scenario& scenario, double duration, const std::string& path) {
+std::vector<double> obstacleTimes(const Scenario& scenario, const ScenarioOptions& options) {
+  const double odometry_rate = options.rate * kOdometryPerObstacles;
+  std::vector<double> times;
+  for (long i = 0; i < countUntil(options.duration, odometry_rate); i += kOdometryPerObstacles) {
+    const double t = timeOf(i, odometry_rate);
+    if (!isSilent(scenario, t)) times.push_back(t);
+  }
+  return times;
+}
+
+ros::Time stampAt(double t) {
+  return ros::Time(kStartSecond, 0) +
+         ros::Duration().fromNSec(static_cast<std::int64_t>(std::llround(1e9 * t)));
+}
+
+void writeBag(const Scenario& scenario, const ScenarioOptions& options, const std::string& path) {
   PartialFile file(path);
   auto bag = std::make_unique<rosbag::Bag>();
   try {
     bag->open(file.partialPath(), rosbag::bagmode::Write);
-    writeMessages(scenario, duration, *bag);
+    writeMessages(scenario, options, *bag);
     bag->close();
   } catch (const rosbag::BagException& error) {
     // Its destructor would try to close again, throw, and so end the process without a word.

@@ -1,32 +1,36 @@
 // A scenario as files: the bag to replay, and the answers to expect.
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
+#include <ros/time.h>
 
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "partial_file.hpp"
 #include "scenario.hpp"
 
 namespace footprint_collision_predictor::tools {
 
-/// Thrown when a file cannot be written; what() names it and says why.
-class WriteError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Second at which every scenario starts; 0.1 s is a whole number of nanoseconds after it.
+/// Second at which every scenario starts.
 constexpr unsigned kStartSecond = 1600000000;
 
-/// `obstacles` at 10 Hz, `odom` and `/tf` at 50 Hz with one at every obstacles stamp, from the
-/// start to `duration` [s] inclusive. The same scenario gives the same bytes each time. \throws
-/// WriteError; what was there before is then left alone.
-void writeBag(const Scenario& scenario, double duration, const std::string& path);
+/// Moments of the obstacles messages in whole nanoseconds, as [s] since the start, from 0 to the
+/// duration inclusive; without those of a silence.
+std::vector<double> obstacleTimes(const Scenario& scenario, const ScenarioOptions& options);
+
+/// The stamp of such a moment.
+ros::Time stampAt(double t);
+
+/// `obstacles` at the rate chosen, `odom` and `/tf` five times as often, one of them at every
+/// obstacles stamp. The same scenario gives the same bytes each time.
+/// \throws WriteError; what was there before is then left alone
+void writeBag(const Scenario& scenario, const ScenarioOptions& options, const std::string& path);
 
 /// What the predictor must answer, message by message.
-nlohmann::ordered_json expectedAnswers(const Scenario& scenario, double duration);
+nlohmann::ordered_json expectedAnswers(const Scenario& scenario, const ScenarioOptions& options);
 
-/// \throws WriteError; what was there before is then left alone.
+/// \throws WriteError; what was there before is then left alone
 void writeJson(const nlohmann::ordered_json& json, const std::string& path);
 
 }  // namespace footprint_collision_predictor::tools

@@ -91,7 +91,8 @@ class Watcher {
 
   static void print(const std::string& line) {
     std::printf("%s\n", line.c_str());
-    std::fflush(stdout);  // it may be read through a pipe, as it comes
+    // It may be read through a pipe, as it comes, by somebody who has seen enough.
+    if (std::fflush(stdout) != 0) ros::requestShutdown();
   }
 
   Options options_;

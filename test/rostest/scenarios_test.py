@@ -1,27 +1,16 @@
 #!/usr/bin/env python3
 """Every scenario, replayed through the node, gives its exact answers for every segment and message."""
-import json
 import math
-import os
 import subprocess
 import tempfile
 
 import rospy
-from node_testing import PACKAGE, wait_until
+from node_testing import wait_until
 from recorded_data import play
 from ros_test_case import RosTestCase, run
-from roslib.packages import find_node
+from scenario_bags import made
 
 TOLERANCE = 1e-6  # [s]
-
-
-def made(scenario, folder):
-    """Path of the scenario's bag, and its answers."""
-    bag = os.path.join(folder, scenario + '.bag')
-    subprocess.check_call([find_node(PACKAGE, 'make_scenario')[0], scenario, '-o', bag],
-                          stdout=subprocess.DEVNULL)
-    with open(os.path.join(folder, scenario + '.json')) as answers:
-        return bag, json.load(answers)
 
 
 def expected(seconds):
@@ -35,21 +24,56 @@ class Scenarios(RosTestCase):
     def test_head_on(self):
         self.check('head_on')
 
+    def test_overtaking(self):
+        self.check('overtaking')
+
     def test_near_miss(self):
         self.check('near_miss')
+
+    def test_graze(self):
+        self.check('graze')
+
+    def test_cut_in(self):
+        self.check('cut_in')
+
+    def test_brake(self):
+        self.check('brake')
+
+    def test_crowd_with_noise(self):
+        self.check('crowd', '--count', '30', '--seed', '5', '--noise', '0.05')
+
+    def test_stale_tracker(self):
+        self.check('stale_tracker')
 
     def test_none(self):
         self.check('none')
 
-    def check(self, scenario):
+    def test_looped_clock(self):
+        """The bag has the clock itself, which jumps back."""
         with tempfile.TemporaryDirectory() as folder:
-            bag, answers = made(scenario, folder)
-            node = self.rig(None, transform_tolerance=10.0, max_data_age=10.0,
-                            **answers['parameters'])
+            bag, answers = made('looped_clock', folder)
+            node = self.patient_rig(answers)
+            player = subprocess.Popen(
+                ['rosbag', 'play', '--quiet', '--wait-for-subscribers', bag,
+                 'obstacles:=' + node.topic('obstacles'), 'odom:=' + node.topic('odom')],
+                stdin=subprocess.DEVNULL)
+            self.addCleanup(player.kill)
+            self.assertEqual(player.wait(120), 0, 'exit status of rosbag play')
+        self.check_predictions(node, answers, answers['messages'] * 2)
+
+    def check(self, scenario, *options):
+        with tempfile.TemporaryDirectory() as folder:
+            bag, answers = made(scenario, folder, *options)
+            node = self.patient_rig(answers)
             player = play(self, bag, ('obstacles', 'odom', '/tf'), '--rate', '4',
                           'obstacles:=' + node.topic('obstacles'), 'odom:=' + node.topic('odom'))
             self.assertEqual(player.wait(120), 0, 'exit status of rosbag play')
-        messages = answers['messages']
+        self.check_predictions(node, answers, answers['messages'])
+
+    def patient_rig(self, answers):
+        return self.rig(None, transform_tolerance=10.0, max_data_age=10.0, **answers['parameters'])
+
+    def check_predictions(self, node, answers, messages):
         predictions = node.predictions.messages
         wait_until(lambda: len(predictions) >= len(messages), '%d predictions' % len(messages))
         self.assertEqual(len(predictions), len(messages))
@@ -57,7 +81,8 @@ class Scenarios(RosTestCase):
             self.compare(answers['start'], message, prediction)
         warning = node.warnings.wait_for(
             lambda w: w.header.stamp == predictions[-1].header.stamp, 'the last answer')
-        self.assertEqual(warning.collision_predicted, int(messages[-1]['time_to_collision'] is not None))
+        self.assertEqual(warning.collision_predicted,
+                         int(messages[-1]['time_to_collision'] is not None))
 
     def compare(self, start, message, prediction):
         stamp = prediction.header.stamp - rospy.Time(start)

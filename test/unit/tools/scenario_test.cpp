@@ -1,5 +1,5 @@
-// The scenarios' expected answers against numbers worked out by hand, and against dense sampling of
-// the distance in the fixed frame (which knows nothing of the formulas).
+// The scenarios' answers against what their derivations say, and against small steps of time: robot
+// and obstacles are moved in the fixed frame, which knows nothing of the formulas.
 #include "scenario.hpp"
 
 #include <gtest/gtest.h>
@@ -10,101 +10,156 @@
 namespace footprint_collision_predictor::tools {
 namespace {
 
-const Scenario& named(const std::string& name) { return *findScenario(name); }
-
-Point toBase(const Point& p, const Point& robot) {
-  const double x = p.x - robot.x;
-  const double y = p.y - robot.y;
-  return {0.8 * x + 0.6 * y, -0.6 * x + 0.8 * y};
+Scenario made(const std::string& name, const ScenarioOptions& options = {}) {
+  return findScenario(name)->make(options);
 }
 
-double distanceTo(std::size_t segment, const Point& p) {
-  const Point a = kFootprint.at(segment);
-  const Point b = kFootprint.at((segment + 1) % kSegments);
-  const double x = std::clamp(p.x, std::min(a.x, b.x), std::max(a.x, b.x));
-  const double y = std::clamp(p.y, std::min(a.y, b.y), std::max(a.y, b.y));
-  return std::hypot(p.x - x, p.y - y);  // axis-parallel segments only
+/// [s] since the start, as a message at t says; -1: none.
+double contactOf(const std::string& name, std::size_t segment, double t, std::size_t body = 0,
+                 const ScenarioOptions& options = {}) {
+  const Scenario s = made(name, options);
+  const auto contact = firstContact(s, s.circles(t), segmentsOf(s.bodies.at(body)).at(segment));
+  return contact ? t + contact->time : -1;
 }
 
-/// Smallest gap between any obstacle and the segment at time t [m].
-double gap(const Scenario& scenario, std::size_t segment, double t) {
+TEST(ScenarioTest, AsDerived) {
+  EXPECT_NEAR(contactOf("crossing", 3, 4), 7.56, 1e-12);
+  EXPECT_NEAR(contactOf("crossing", 2, 4), 7.58, 1e-12);
+  EXPECT_EQ(contactOf("crossing", 0, 4), -1);
+  EXPECT_EQ(contactOf("crossing", 1, 4), -1);
+  EXPECT_NEAR(contactOf("head_on", 3, 4), 7.46, 1e-12);
+  EXPECT_NEAR(contactOf("head_on", 0, 4), 7.5001923788646684, 1e-12);
+  EXPECT_NEAR(contactOf("head_on", 2, 4), 7.5941687604822300, 1e-12);
+  EXPECT_NEAR(contactOf("head_on", 1, 4), 8.06, 1e-12);
+  EXPECT_NEAR(contactOf("overtaking", 1, 4), 6.43, 1e-12);
+  EXPECT_NEAR(contactOf("graze", 2, 4), 6 - std::sqrt(0.09 - 0.299 * 0.299), 1e-9);
+  EXPECT_NEAR(contactOf("cut_in", 3, 3), 5, 1e-12);
+  EXPECT_EQ(contactOf("cut_in", 3, 2.9), -1);
+  EXPECT_NEAR(contactOf("brake", 3, 3), 5, 1e-12);
+  EXPECT_NEAR(contactOf("brake", 3, 4.2), 5, 1e-12);
+  EXPECT_EQ(contactOf("brake", 3, 2.9), -1);
+  EXPECT_NEAR(contactOf("trailer", 0, 4, 1), 6.36, 1e-12);
+  EXPECT_EQ(contactOf("trailer", 1, 4, 0), -1);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(contactOf("near_miss", k, 4), -1);
+}
+
+TEST(ScenarioTest, TurningAsDerived) {
+  EXPECT_NEAR(contactOf("turn_in_place", 0, 2), 5.57, 1e-12);
+  EXPECT_NEAR(contactOf("turn_in_place", 3, 2), 5.57, 1e-12);
+  EXPECT_NEAR(contactOf("arc_past_pillar", 2, 2), 5.57, 1e-12);
+  EXPECT_NEAR(contactOf("arc_past_pillar", 3, 2), 5.57, 1e-12);
+}
+
+TEST(ScenarioTest, ChoicesMoveTheContactAlong) {
+  ScenarioOptions options;
+  options.radius = 0.5;
+  options.speed = 1.2;
+  for (const char* name : {"crossing", "stale_tracker", "looped_clock"})
+    EXPECT_NEAR(contactOf(name, 3, 5, 0, options), 7.56, 1e-12);
+  EXPECT_NEAR(contactOf("overtaking", 1, 4, 0, options), 6.43, 1e-12);
+  EXPECT_NEAR(contactOf("cut_in", 3, 3, 0, options), 5, 1e-12);
+  EXPECT_NEAR(contactOf("arc_past_pillar", 2, 2, 0, options), 5.57, 1e-12);
+  EXPECT_NEAR(contactOf("turn_in_place", 0, 2, 0, options), 5.57, 1e-12);
+}
+
+Point turned(const Point& p, double heading) {
+  return {std::cos(heading) * p.x - std::sin(heading) * p.y,
+          std::sin(heading) * p.x + std::cos(heading) * p.y};
+}
+
+/// Smallest gap [m] between circles and segment `dt` after the message at t: the robot follows its
+/// pose, the circles their motion in the fixed frame.
+double gap(const Scenario& s, const std::vector<Circle>& circles, const Line& segment, double t,
+           double dt) {
+  const Pose then = robotPose(s, t);
+  const Pose now = robotPose(s, t + dt);
   double least = 1e9;
-  for (const auto& o : scenario.obstacles) {
-    const Point p = toBase(obstaclePosition(scenario, o, t), robotPosition(scenario, t));
-    least = std::min(least, distanceTo(segment, p) - o.radius);
+  for (const Circle& c : circles) {
+    const Point way = {c.position.x + c.velocity.x * dt + c.acceleration.x * dt * dt / 2,
+                       c.position.y + c.velocity.y * dt + c.acceleration.y * dt * dt / 2};
+    const Point offset = turned(way, then.heading);
+    const Point seen = turned(
+        {then.position.x + offset.x - now.position.x, then.position.y + offset.y - now.position.y},
+        -now.heading);
+    least = std::min(least, distance(seen, segment) - c.radius);
   }
   return least;
 }
 
-TEST(ScenarioTest, CrossingByHand) {
-  const auto& s = named("crossing");
-  EXPECT_NEAR(footprintTouch(s)->begin, 7.56, 1e-12);
-  EXPECT_NEAR(s.touches[3]->begin, 7.56, 1e-12);
-  EXPECT_NEAR(s.touches[2]->begin, 7.58, 1e-12);
-  EXPECT_FALSE(s.touches[0] || s.touches[1]);
+double sampledContact(const Scenario& s, const std::vector<Circle>& circles, const Line& segment,
+                      double t) {
+  constexpr double kStep = 1e-3;  // [s]
+  for (double dt = 0; dt <= kHorizon; dt += kStep)
+    if (gap(s, circles, segment, t, dt) <= 1e-12) return dt;
+  return -1;
 }
 
-TEST(ScenarioTest, HeadOnByHand) {
-  const auto& s = named("head_on");
-  EXPECT_NEAR(footprintTouch(s)->begin, 7.46, 1e-12);
-  EXPECT_NEAR(s.touches[0]->begin, 7.5001923788646684, 1e-12);
-  EXPECT_NEAR(s.touches[2]->begin, 7.5941687604822300, 1e-12);
-  EXPECT_NEAR(s.touches[1]->begin, 8.06, 1e-12);
-}
-
-TEST(ScenarioTest, TimesCountDownThenStayAtZeroThenEnd) {
-  const Interval touch{6.0, 7.0};
-  EXPECT_FALSE(timeToCollision(touch, 0.5));
-  EXPECT_EQ(timeToCollision(touch, 1.0), 5.0);  // exactly at the horizon counts
-  EXPECT_EQ(timeToCollision(touch, 4.0), 2.0);
-  EXPECT_EQ(timeToCollision(touch, 6.5), 0.0);
-  EXPECT_EQ(timeToCollision(touch, 7.0), 0.0);
-  EXPECT_FALSE(timeToCollision(touch, 7.001));
-  EXPECT_FALSE(timeToCollision(std::nullopt, 1.0));
-}
-
-TEST(ScenarioTest, PersonInCrossingWalksAcrossTheRobotsWay) {
-  // Over ground at right angles to the heading (0.8, 0.6), to the right, at 0.8 m/s.
-  const auto& s = named("crossing");
-  const Point v = obstacleVelocity(s, s.obstacles[1]);
-  EXPECT_NEAR(v.x, 0.48, 1e-12);
-  EXPECT_NEAR(v.y, -0.64, 1e-12);
-  const Point standing = obstacleVelocity(s, s.obstacles[0]);
-  EXPECT_NEAR(std::hypot(standing.x, standing.y), 0.0, 1e-12);
-}
-
-TEST(ScenarioTest, NearMissLeavesFiveCentimetres) {
-  const auto& s = named("near_miss");
-  double least = 1e9;
-  for (int i = 0; i <= 12000; ++i) {
-    for (std::size_t k = 0; k < kSegments; ++k) least = std::min(least, gap(s, k, i / 1000.0));
-  }
-  EXPECT_NEAR(least, 0.05, 1e-9);
-  EXPECT_NEAR(gap(s, 2, 6.0), 0.05, 1e-12);
-}
-
-TEST(ScenarioTest, SamplingTheDistanceAgreesForEverySegment) {
-  for (const auto& s : scenarios()) {
-    for (std::size_t k = 0; k < kSegments; ++k) {
-      for (int i = 0; i <= 12000; ++i) {
-        const double t = i / 1000.0 + 0.00037;  // off the boundaries, where rounding would decide
-        const auto& touch = s.touches.at(k);
-        const bool expected = touch && t >= touch->begin && t <= touch->end;
-        ASSERT_EQ(gap(s, k, t) <= 0, expected) << s.name << " segment " << k << " t " << t;
+TEST(ScenarioTest, SmallStepsOfTimeAgreeForEverySegment) {
+  for (const ScenarioKind& kind : scenarioKinds()) {
+    const Scenario s = kind.make({});
+    for (double t = 0.0137; t < 9; t += 0.71) {
+      const auto circles = s.circles(t);
+      for (const Body& body : s.bodies) {
+        for (const Line& segment : segmentsOf(body)) {
+          const auto contact = firstContact(s, circles, segment);
+          const double exact = contact ? contact->time : -1;
+          EXPECT_NEAR(sampledContact(s, circles, segment, t), exact, 1.01e-3)
+              << kind.name << " t " << t << " segment (" << segment.start.x << ", "
+              << segment.start.y << ") to (" << segment.end.x << ", " << segment.end.y << ")";
+        }
       }
     }
   }
 }
 
-TEST(ScenarioTest, SegmentAndIdAreThoseOfTheFirstTouch) {
-  for (const auto& s : scenarios()) {
-    const auto first = footprintTouch(s);
-    ASSERT_EQ(first.has_value(), s.segment.has_value()) << s.name;
-    ASSERT_EQ(first.has_value(), s.obstacle_id.has_value()) << s.name;
-    if (!first) continue;
-    const auto segment = static_cast<std::size_t>(*s.segment);
-    EXPECT_EQ(s.touches.at(segment)->begin, first->begin) << s.name;
+TEST(ScenarioTest, WhatIsSeenIsOneMotion) {
+  // Positions of successive moments differ by the velocity that is told: the robot's frame and what
+  // is told of it fit each other.
+  constexpr double kStep = 1e-4;
+  const auto fixed = [](const Scenario& s, double t) {
+    const Pose robot = robotPose(s, t);
+    const Point offset = turned(s.circles(t).back().position, robot.heading);
+    return Point{robot.position.x + offset.x, robot.position.y + offset.y};
+  };
+  for (const ScenarioKind& kind : scenarioKinds()) {
+    if (kind.name == "none") continue;
+    const Scenario s = kind.make({});
+    for (const double t : {0.5, 2.5, 3.5, 5.9}) {
+      const Point before = fixed(s, t - kStep);
+      const Point after = fixed(s, t + kStep);
+      const Point velocity = turned(s.circles(t).back().velocity, robotPose(s, t).heading);
+      EXPECT_NEAR((after.x - before.x) / (2 * kStep), velocity.x, 1e-6) << kind.name << " at " << t;
+      EXPECT_NEAR((after.y - before.y) / (2 * kStep), velocity.y, 1e-6) << kind.name << " at " << t;
+    }
   }
+}
+
+TEST(ScenarioTest, SeedDecides) {
+  ScenarioOptions options;
+  options.noise = 0.1;
+  const Scenario s = made("crowd", options);
+  const auto once = measured(s, options, 1);
+  const auto again = measured(s, options, 1);
+  EXPECT_EQ(once[3].position.x, again[3].position.x);
+  EXPECT_NE(once[3].position.x, s.circles(1)[3].position.x);
+  options.seed = 2;
+  EXPECT_NE(once[3].velocity.x, made("crowd", options).circles(1)[3].velocity.x);
+  EXPECT_NE(once[3].position.x - s.circles(1)[3].position.x,
+            measured(s, options, 1)[3].position.x - s.circles(1)[3].position.x);
+}
+
+TEST(ScenarioTest, NoiseHasTheDeviationThatWasAskedFor) {
+  ScenarioOptions options;
+  options.noise = 0.1;
+  const Scenario s = made("crossing", options);
+  double sum = 0;
+  constexpr int kMoments = 20000;
+  for (int i = 0; i < kMoments; ++i) {
+    const double error =
+        measured(s, options, i * 0.01)[1].position.x - s.circles(i * 0.01)[1].position.x;
+    sum += error * error;
+  }
+  EXPECT_NEAR(std::sqrt(sum / kMoments), 0.1, 0.002);
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+#include "output_folder.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+
+#include "frames_csv.hpp"
+
+namespace footprint_collision_predictor::tools {
+namespace {
+
+void writeFile(const std::string& path, const std::function<void(std::ostream&)>& content) {
+  PartialFile file(path);
+  std::ofstream out(file.partialPath(), std::ios::binary);
+  content(out);
+  out.close();
+  if (!out) throw WriteError("cannot write " + path + ": writing failed (is the disk full?)");
+  file.finish();
+}
+
+void copyRows(const std::string& from, std::size_t segments, const std::string& bag,
+              std::ostream& out) {
+  std::ifstream in(from, std::ios::binary);
+  for (std::string row; std::getline(in, row);)
+    out << row << framesRowEnd(segmentsIn(row), segments, bag) << '\n';
+}
+
+}  // namespace
+
+RowsFile::RowsFile(const std::string& path) : path_(path), out_(path, std::ios::binary) {
+  if (!out_) throw WriteError("cannot write " + path + ": " + std::strerror(errno));
+}
+
+RowsFile::~RowsFile() { std::remove(path_.c_str()); }
+
+void RowsFile::take(const Evaluation& evaluation) {
+  out_ << framesRow(evaluation) << '\n';
+  if (evaluation.answer.prediction)
+    segments_ = std::max(segments_, evaluation.answer.prediction->segments.size());
+}
+
+void RowsFile::finish() {
+  out_.close();
+  if (!out_) throw WriteError("cannot write " + path_ + ": writing failed (is the disk full?)");
+}
+
+OutputFolder::OutputFolder(const std::string& path, std::size_t bags) : path_(path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw WriteError("cannot make the folder " + path + ": " + error.message());
+  for (std::size_t bag = 0; bag < bags; ++bag)
+    rows_.push_back(
+        std::make_unique<RowsFile>(path + "/frames.csv." + std::to_string(bag) + ".part"));
+}
+
+void OutputFolder::writeFrames(const std::vector<std::string>& bags) {
+  std::size_t segments = 0;
+  for (const auto& rows : rows_) {
+    rows->finish();
+    segments = std::max(segments, rows->segments());
+  }
+  writeFile(path_ + "/frames.csv", [&](std::ostream& out) {
+    out << framesHeader(segments) << '\n';
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      copyRows(rows_[i]->path(), segments, bags.at(i), out);
+  });
+}
+
+void OutputFolder::write(const std::string& name, const std::string& text) const {
+  writeFile(path_ + "/" + name, [&](std::ostream& out) { out << text; });
+}
+
+}  // namespace footprint_collision_predictor::tools

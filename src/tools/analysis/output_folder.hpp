@@ -1,0 +1,57 @@
+// The folder that the results go to.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../partial_file.hpp"
+#include "replay.hpp"
+
+namespace footprint_collision_predictor::tools {
+
+/// The rows of one bag as they come, kept in a file until it is known what those of the other bags
+/// are like. Writing fails late: finish() tells.
+class RowsFile {
+ public:
+  /// \throws WriteError
+  explicit RowsFile(const std::string& path);
+  ~RowsFile();
+  RowsFile(const RowsFile&) = delete;
+  RowsFile& operator=(const RowsFile&) = delete;
+
+  void take(const Evaluation& evaluation);
+  /// \throws WriteError when any row could not be written
+  void finish();
+  const std::string& path() const { return path_; }
+  /// The most that a row has.
+  std::size_t segments() const { return segments_; }
+
+ private:
+  std::string path_;
+  std::ofstream out_;
+  std::size_t segments_ = 0;
+};
+
+/// Results appear under their names only when they are complete; what was there before stays until
+/// then.
+class OutputFolder {
+ public:
+  /// Makes the folder, and a file for the rows of each bag. \throws WriteError
+  OutputFolder(const std::string& path, std::size_t bags);
+
+  RowsFile& rows(std::size_t bag) { return *rows_.at(bag); }
+
+  /// Joins the rows of all bags to frames.csv. \throws WriteError
+  void writeFrames(const std::vector<std::string>& bags);
+  /// \throws WriteError
+  void write(const std::string& name, const std::string& text) const;
+
+ private:
+  std::string path_;
+  std::vector<std::unique_ptr<RowsFile>> rows_;  // by the place of the bag on the command line
+};
+
+}  // namespace footprint_collision_predictor::tools
