@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
 """CLEAR needs fresh data; before and after them it is UNKNOWN, and the heartbeat goes on."""
 import math
-import threading
 
-import rospy
 from footprint_collision_predictor.msg import CollisionWarning
 from node_testing import BOX, PATIENT, circle
 from ros_test_case import RosTestCase, run
@@ -13,33 +11,7 @@ HEARTBEAT = 1 / 20.0
 MARGIN = 0.15  # [s] with one heartbeat, the 200 ms in which a fault must be told
 
 
-class Feed:
-    """Calls a function with fresh stamps, 50 times a second, until it is stopped."""
-
-    def __init__(self, send):
-        self._send = send
-        self._stopped = threading.Event()
-        self._thread = threading.Thread(target=self._run)
-        self._thread.start()
-
-    def _run(self):
-        while not self._stopped.is_set():
-            self.last = self._send(stamp=rospy.Time.now())
-            self._stopped.wait(0.02)
-
-    def stop(self):
-        """Returns the last stamp sent."""
-        self._stopped.set()
-        self._thread.join()
-        return self.last
-
-
 class DataLoss(RosTestCase):
-    def feed(self, send):
-        feed = Feed(send)
-        self.addCleanup(feed.stop)
-        return feed
-
     def wait_clear(self, node):
         return node.warnings.wait_for(lambda w: w.level == w.CLEAR, 'CLEAR')
 

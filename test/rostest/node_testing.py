@@ -107,6 +107,27 @@ class Publisher:
         self.close = self._publisher.unregister
 
 
+class Feed:
+    """Calls a function with fresh stamps, 50 times a second, until it is stopped."""
+
+    def __init__(self, send):
+        self._send = send
+        self._stopped = threading.Event()
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    def _run(self):
+        while not self._stopped.is_set():
+            self.last = self._send(stamp=rospy.Time.now())
+            self._stopped.wait(0.02)
+
+    def stop(self):
+        """Returns the last stamp sent."""
+        self._stopped.set()
+        self._thread.join()
+        return self.last
+
+
 class Rig:
     """A running node with the given private parameters, and its surroundings.
 
@@ -121,13 +142,17 @@ class Rig:
         self._publishers = {}
         for name, value in parameters.items():
             rospy.set_param('/'.join((self.namespace, NODE, name)), value)
-        self.process = subprocess.Popen(
-            [find_node(PACKAGE, NODE)[0], '__ns:=' + self.namespace, '__name:=' + NODE])
+        self.start()
         try:
             self._connect(obstacles_class)
         except BaseException:
             self.close()
             raise
+
+    def start(self):
+        """Also again, after the process has ended: as a respawned node starts."""
+        self.process = subprocess.Popen(
+            [find_node(PACKAGE, NODE)[0], '__ns:=' + self.namespace, '__name:=' + NODE])
 
     def _connect(self, obstacles_class):
         self.warnings = self._kept(Recorder(self.topic('collision_warning'), CollisionWarning))
