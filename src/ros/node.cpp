@@ -49,6 +49,7 @@ Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
       node_(node),
       private_node_(private_node),
       predictions_(node_.advertise<CollisionPrediction>("collision_prediction", kQueueSize)),
+      markers_(private_node_.advertise<visualization_msgs::MarkerArray>("markers", 1)),
       warnings_(node_),
       pipeline_(parameters_,
                 {node_.resolveName("obstacles"), node_.resolveName("footprint"),
@@ -148,7 +149,9 @@ void Node::work() {
       if (ros::SteadyTime::now() < next) return;
       next = std::max(next + period, ros::SteadyTime::now());
       const Moment then = now();
-      publish({pipeline_.repeat(then), {}, then});
+      const CollisionWarning repeated = pipeline_.repeat(then);
+      publish({repeated, {}, then});
+      if (markers_.getNumSubscribers() > 0) markers_.publish(pipeline_.picture(repeated, then));
       renewAbandonedInputs();
     });
   }

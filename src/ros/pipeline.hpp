@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tf2/buffer_core.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <functional>
 #include <optional>
@@ -42,6 +43,10 @@ class Pipeline {
 
   /// The warning as of now, between messages: robot and obstacles are carried on from their stamp.
   CollisionWarning repeat(const Moment& now);
+
+  /// What RViz shows of that warning. It is predicted once more for it.
+  visualization_msgs::MarkerArray picture(const CollisionWarning& repeated,
+                                          const Moment& now) const;
 
  private:
   void watchClock(const Moment& now);
