@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "input_findings.hpp"
+#include "markers.hpp"
 
 namespace footprint_collision_predictor {
 
@@ -88,6 +89,14 @@ void Pipeline::adoptPending() {
   level_.reconfigure(parameters_.thresholds, parameters_.clear_after);
   scene_.reset();
   pending_.reset();
+}
+
+visualization_msgs::MarkerArray Pipeline::picture(const CollisionWarning& repeated,
+                                                  const Moment& now) const {
+  const bool usable = scene_ && !inputs_.tooOld(now, scene_->odometry).makeUnknown();
+  const auto& footprint = inputs_.footprint();
+  return markers(repeated, usable ? &*scene_ : nullptr, footprint ? &*footprint : nullptr,
+                 parameters_.thresholds);
 }
 
 void Pipeline::watchClock(const Moment& now) {

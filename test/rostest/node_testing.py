@@ -122,11 +122,15 @@ class Rig:
         for name, value in parameters.items():
             rospy.set_param('/'.join((self.namespace, NODE, name)), value)
         try:
-            self.process = self._start()
+            self.start()
             self._connect(obstacles_class)
         except BaseException:
             self.close()
             raise
+
+    def start(self):
+        """Also again, after the process has ended: as a respawned node starts."""
+        self.process = self._start()
 
     def _start(self):
         """The process that the node lives in."""
