@@ -17,86 +17,136 @@ using core::Obstacle;
 using core::Polygon;
 using core::Prediction;
 
+constexpr double kMaxYawRate = 16;  // [rad/s]
+
 [[noreturn]] void fail(const std::string& wrong, const std::string& code) {
   std::fprintf(stderr, "WRONG ANSWER: %s\n%s\n", wrong.c_str(), code.c_str());
   std::abort();
 }
 
-void checkAnswer(const Case& c, const std::optional<core::Contact>& contact) {
-  const std::string wrong = wrongBySampling(c, contact);
+void expectNothing(const std::string& wrong, const Case& c) {
   if (!wrong.empty()) fail(wrong, asCode(c));
 }
 
-Motion motionFrom(Bytes& bytes) {
+Disc discFrom(Bytes& bytes) {
   const Vec2 position = bytes.vector(core::kMaxCoordinate);
   const Vec2 velocity = bytes.vector(core::kMaxRate);
-  return {position, velocity, bytes.vector(core::kMaxRate)};
+  const Vec2 acceleration = bytes.vector(core::kMaxRate);
+  const double radius = bytes.notNegative(core::kMaxRadius);
+  return {{position, velocity, acceleration}, radius, bytes.notNegative(core::kMaxRate)};
+}
+
+Twist twistFrom(Bytes& bytes) {
+  const Vec2 linear = bytes.vector(core::kMaxRate);
+  return {linear, bytes.number(kMaxYawRate)};
 }
 
 void fuzzSegment(Bytes& bytes) {
   const Vec2 start = bytes.vector(core::kMaxCoordinate);
   const Vec2 end = start + bytes.vector(core::kMaxFootprintExtent);
-  const Motion motion = motionFrom(bytes);
-  const double radius = bytes.notNegative(core::kMaxRadius);
-  const Case c{{start, end}, motion, radius, bytes.notNegative(core::kMaxHorizon)};
-  checkAnswer(c, ask(c));
+  const Disc disc = discFrom(bytes);
+  const double horizon = bytes.notNegative(core::kMaxHorizon);
+  const Case c{{start, end}, disc.motion, disc.radius, horizon, disc.radius_rate, twistFrom(bytes)};
+  expectNothing(wrongBySampling(c, ask(c)), c);
 }
 
-std::string described(const Polygon& footprint, const std::vector<Obstacle>& obstacles,
-                      double horizon) {
+/// A footprint among obstacles, and what was said of it.
+struct Scene {
+  Polygon footprint;
+  Twist twist;
+  std::vector<Obstacle> obstacles;
+  double horizon;
+  Prediction prediction;
+
+  Case of(std::size_t segment, const Obstacle& o, const Vec2& vertex = {0, 0}) const {
+    Motion motion = o.motion();
+    motion.position += vertex;
+    return {footprint.segment(segment), motion, o.radius(), horizon, o.disc().radius_rate, twist};
+  }
+};
+
+/// Whatever a part touches is touched by the whole: no vertex of an outline, which is a disc that
+/// moves along, may overlap before.
+void checkNotMissed(const Scene& s, std::size_t segment, const Obstacle& o,
+                    const std::optional<core::Contact>& contact) {
+  const std::vector<Vec2> centre{{0, 0}};
+  for (const Vec2& vertex : o.outline().empty() ? centre : o.outline()) {
+    const Case c = s.of(segment, o, vertex);
+    expectNothing(missedBySampling(c, contact), c);
+  }
+}
+
+void checkNotInvented(const Scene& s, std::size_t segment, const Obstacle& o,
+                      const core::Contact& contact) {
+  const Case c = s.of(segment, o);
+  if (o.outline().empty()) expectNothing(inventedBySampling(c, contact), c);
+}
+
+void checkSegments(const Scene& s) {
+  for (std::size_t i = 0; i < s.footprint.size(); ++i) {
+    const auto& touched = s.prediction.segments.at(i);
+    const auto contact = touched ? std::optional(touched->contact) : std::nullopt;
+    for (const Obstacle& o : s.obstacles) {
+      checkNotMissed(s, i, o, contact);
+      if (!o.outline().empty()) continue;
+      const Case alone = s.of(i, o);
+      expectNothing(wrongBySampling(alone, ask(alone)), alone);
+    }
+    if (touched) checkNotInvented(s, i, s.obstacles.at(touched->obstacle), touched->contact);
+  }
+}
+
+std::string described(const Scene& s) {
   std::string text = "// for each segment and obstacle\n";
-  for (std::size_t i = 0; i < footprint.size(); ++i)
-    for (const Obstacle& o : obstacles)
-      text += asCode({footprint.segment(i), o.motion(), o.radius(), horizon}) + "\n";
+  for (std::size_t i = 0; i < s.footprint.size(); ++i)
+    for (const Obstacle& o : s.obstacles) text += asCode(s.of(i, o)) + "\n";
   return text;
 }
 
-/// The footprint's answers must be those of its segments, each asked alone, but for shared
-/// vertices.
-std::string wrongPrediction(const Polygon& footprint, const core::Twist& twist,
-                            const std::vector<Obstacle>& obstacles, double horizon,
-                            const Prediction& prediction) {
-  double earliest = HUGE_VAL;
-  for (std::size_t i = 0; i < footprint.size(); ++i) {
-    double alone = HUGE_VAL;
-    for (const Obstacle& o : obstacles) {
-      const Case c{footprint.segment(i), relativeMotion(o.motion(), twist), o.radius(), horizon};
-      const std::optional<core::Contact> contact = ask(c);
-      checkAnswer(c, contact);
-      if (contact) alone = std::min(alone, contact->time);
-    }
-    const auto& together = prediction.segments.at(i);
-    const double time = together ? together->contact.time : HUGE_VAL;
-    // A touch of a vertex is also one of the neighbour, which may see it a rounding later, or not.
-    const bool is_shared = together && together->contact.feature != core::Feature::kInside;
-    if (time != alone && !(is_shared && time < alone)) return "segment differs alone";
-    alone = time;
-    earliest = std::min(earliest, alone);
-  }
-  const double first = prediction.first ? prediction.first->contact.time : HUGE_VAL;
-  const bool by_being_solid = first == 0 && prediction.clearance.value_or(1) <= 0;
-  if (first != earliest && !by_being_solid) return "the first contact is not that of a segment";
-  if (prediction.first && !(prediction.first->closing_speed >= 0)) return "closing speed";
-  return std::isfinite(prediction.clearance.value_or(0)) ? "" : "clearance";
+void checkFirst(const Scene& s) {
+  const auto& first = s.prediction.first;
+  const auto contact = first ? std::optional(first->contact) : std::nullopt;
+  for (std::size_t i = 0; i < s.footprint.size(); ++i)
+    for (const Obstacle& o : s.obstacles) checkNotMissed(s, i, o, contact);
+  if (!first) return;
+  if (!(first->closing_speed >= 0)) fail("closing speed", described(s));
+  const bool by_being_solid = first->contact.time == 0 && s.prediction.clearance.value_or(1) <= 0;
+  if (!by_being_solid)
+    checkNotInvented(s, first->segment, s.obstacles.at(first->obstacle), first->contact);
+}
+
+void checkGaps(const Scene& s) {
+  if (!std::isfinite(s.prediction.clearance.value_or(0))) fail("clearance", described(s));
+  const auto& closest = s.prediction.closest;
+  const bool fine = !closest || (closest->distance >= 0 && std::isfinite(closest->distance) &&
+                                 closest->time >= 0 && closest->time <= s.horizon);
+  if (!fine) fail("closest approach", described(s));
+}
+
+Obstacle obstacleFrom(Bytes& bytes) {
+  const Disc disc = discFrom(bytes);
+  const int kind = bytes.byte() % 8;
+  std::vector<Vec2> outline(kind < 2 || kind > 4 ? 0 : static_cast<std::size_t>(kind));
+  for (Vec2& vertex : outline) vertex = bytes.vector(core::kMaxFootprintExtent);
+  return {disc.motion, disc.radius, disc.radius_rate, outline};
 }
 
 void fuzzFootprint(Bytes& bytes) {
   std::vector<Vec2> vertices(3 + bytes.byte() % 6);
   for (Vec2& vertex : vertices) vertex = bytes.vector(2 * core::kMaxCoordinate);
-  const core::Twist twist{bytes.vector(core::kMaxRate), 0};
+  const Twist twist = twistFrom(bytes);
   std::vector<Obstacle> obstacles;
-  for (int i = bytes.byte() % 4; i > 0; --i) {
-    const Motion motion = motionFrom(bytes);
-    obstacles.emplace_back(motion, bytes.notNegative(core::kMaxRadius));
-  }
+  for (int i = bytes.byte() % 4; i > 0; --i) obstacles.push_back(obstacleFrom(bytes));
   const double horizon = bytes.notNegative(core::kMaxHorizon);
   try {
     const Polygon footprint(vertices);
+    const Scene scene{footprint, twist, obstacles, horizon,
+                      predict(footprint, twist, obstacles, horizon)};
     if (!(footprint.area() >= 0 && footprint.centroid().allFinite()))
-      fail("area or centroid", described(footprint, {{{{0, 0}, {0, 0}, {0, 0}}, 0}}, 0));
-    const Prediction prediction = predict(footprint, twist, obstacles, horizon);
-    const std::string wrong = wrongPrediction(footprint, twist, obstacles, horizon, prediction);
-    if (!wrong.empty()) fail(wrong, described(footprint, obstacles, horizon));
+      fail("area or centroid", described(scene));
+    checkSegments(scene);
+    checkFirst(scene);
+    checkGaps(scene);
   } catch (const core::InvalidPolygon&) {
     return;  // refused, which is an answer
   }

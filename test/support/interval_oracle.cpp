@@ -8,7 +8,7 @@ namespace footprint_collision_predictor::test {
 namespace {
 
 constexpr double kFinest = 0x1p-32;  // [s] 2.3e-10: a bracket may need some such steps
-constexpr int kMostSteps = 3000;     // what slides along by a hair for long is left undecided
+constexpr int kMostSteps = 1000;     // what slides along by a hair for long is left undecided
 
 /// A disc touches a segment when its centre lies in one of three sets: the discs round the two ends
 /// and the strip between them. Everything is squared, so that no root has to be taken.
