@@ -19,8 +19,10 @@ namespace footprint_collision_predictor::core {
 /// First root in (0, window] of gap + slope s + curvature s^2 / 2, with gap > 0; the window when
 /// there is none.
 inline double firstRoot(double gap, double slope, double curvature, double window) {
+  // Decided before any root is taken: a tiny curvature would underflow in it, and lead nowhere.
+  if (slope >= 0 && gap + window * (slope + 0.5 * curvature * window) > 0) return window;
   const double discriminant = slope * slope - 2 * curvature * gap;
-  if (discriminant < 0 || (slope >= 0 && curvature >= 0)) return window;
+  if (discriminant < 0) return window;
   const double root = std::sqrt(discriminant);
   const double step = slope < 0 ? 2 * gap / (root - slope) : (slope + root) / -curvature;
   return std::min(step, window);
