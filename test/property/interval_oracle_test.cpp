@@ -120,7 +120,8 @@ bool hasJustCrossed(const Case& c, double time) {
 /// What is proven of a segment that turns, by the gap in 113 bits at any time before, and then.
 std::string wrongProof(const Case& c, const Proof& proof, Random& random) {
   const Quad rounding = Quad(1e-25 * sizeOfCoordinates(c, c.horizon));
-  if (proof.contact_at && trueGap(c, *proof.contact_at) > rounding &&
+  // An unbracketed contact may be proven by a crossing long before.
+  if (proof.isBracketed() && trueGap(c, *proof.contact_at) > rounding &&
       !(c.radius == 0 && hasJustCrossed(c, *proof.contact_at)))
     return "a gap where contact is proven\n" + asCode(c);
   for (int i = 0; i < 10 && proof.free_until > 0; ++i) {
