@@ -37,7 +37,11 @@ class Examination {
     const auto first = firstContact(footprint_, c_.twist, obstacle, c_.horizon);
     countIn(first);
     examineFirst("footprint", first);
-    compare("footprint", first, firstContact(footprint_, c_.twist, batch, c_.horizon));
+    const auto in_batch = firstContact(footprint_, c_.twist, batch, c_.horizon);
+    compare("footprint", first, in_batch);
+    if (first && in_batch &&
+        (first->segment != in_batch->segment || first->closing_speed != in_batch->closing_speed))
+      wrong_ << "another segment or closing speed in a batch\n";
     Answers segments;
     firstContacts(footprint_, c_.twist, batch, c_.horizon, &segments);
     for (std::size_t i = 0; i < footprint_.size(); ++i) examineSegment(i, segments.at(i));
@@ -132,7 +136,7 @@ class Examination {
       return;
     }
     const Real clearance = oracle_.clearance();
-    if (!(std::abs(*p.clearance - clearance) <= tolerance(0)))
+    if (!(std::abs(*p.clearance - clearance) <= 1e-9 * std::max(1.0, sizeOfCoordinates(c_, 0))))
       wrong_ << "clearance " << *p.clearance << " m instead of " << clearance << " m\n";
     examineClosest(*p.closest, p.first);
   }
