@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """What the system round the node can do to it: garbage, stops, load, deaf consumers, full disks."""
+import math
 import os
 import signal
 import socket
@@ -107,7 +108,6 @@ class ProcessFaults(RosTestCase):
         before = node.next_warning()
         node.process.send_signal(signal.SIGSTOP)
         os.waitpid(node.process.pid, os.WUNTRACED)
-        stopped = rospy.Time.now()
         time.sleep(3)  # the fault itself
         mark = node.warnings.mark()
         continued = rospy.Time.now()
@@ -119,8 +119,7 @@ class ProcessFaults(RosTestCase):
                                'fresh data', mark)
         oldest = continued - rospy.Duration.from_sec(MAX_AGE)
         for warning in node.warnings.messages[mark:]:
-            # What had left before the stop may arrive after it.
-            if warning.level != warning.UNKNOWN and warning.header.stamp > stopped:
+            if warning.level != warning.UNKNOWN:
                 self.assertGreater(warning.header.stamp, oldest)
                 self.assertLessEqual(warning.data_age, MAX_AGE)
 
@@ -137,17 +136,21 @@ class ProcessFaults(RosTestCase):
         self.addCleanup(connection.close)
 
     def test_Fault33_consumers_that_do_not_read(self):
-        node = self.fed(heartbeat_rate=1000.0)
+        """A prediction of 500 segments has 60 kB: the deaf one misses far more than sockets hold."""
+        polygon = [[math.cos(2 * math.pi * i / 500), math.sin(2 * math.pi * i / 500)]
+                   for i in range(500)]
+        node = self.fed(footprint=polygon)
+        node.predictions.close()
         _, address = self.ports(node)
-        self.wait_beats(node, 1000)
+        self.wait_beats(node, 100)
         memory = resident_memory(node.process)
         for topic, kind in (('collision_warning', CollisionWarning),
                             ('collision_prediction', CollisionPrediction)):
             self.deaf(address, node, topic, kind)
         mark = node.warnings.mark()
-        self.wait_beats(node, 10000)  # 4 MB, far more than the sockets hold
+        self.wait_beats(node, 1000)
         self.check_beating(node, mark, 0.15)
-        self.assertLess(resident_memory(node.process) - memory, 2e6)
+        self.assertLess(resident_memory(node.process) - memory, 15e6)
 
     def test_Fault34_busy_machine(self):
         node = self.fed()

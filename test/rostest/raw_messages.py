@@ -41,3 +41,9 @@ def with_lie(data, offset, lie):
 def resident_memory(process):
     with open('/proc/%d/statm' % process.pid) as file:
         return 4096 * int(file.read().split()[1])
+
+
+def peak_memory(process):
+    """The most that it has had so far [bytes]."""
+    with open('/proc/%d/status' % process.pid) as file:
+        return next(1024 * int(line.split()[1]) for line in file if line.startswith('VmHWM'))

@@ -37,6 +37,7 @@ class SeveralPublishers(RosTestCase):
             self.assertIn(rospy.get_name(), text)
             self.assertIn('/second_tracker', text)
         self.diagnostics.wait_for('collision', lambda s: s.level == WARN, 'WARN')
+        return several
 
     def test_Fault30_two_that_send(self):
         second = self.second('-r', '20')
@@ -53,7 +54,10 @@ class SeveralPublishers(RosTestCase):
     def test_Fault30_one_that_is_silent(self):
         """The master names it: of a type that does not fit, not even a connection would come."""
         self.second('--latch')
-        self.check_degraded()
+        first = self.check_degraded()
+        later = self.node.warnings.wait_for(lambda w: w.sequence >= first.sequence + 60,
+                                            'three seconds of heartbeats')
+        self.assertTrue(later.reason & later.REASON_SEVERAL_PUBLISHERS, later)
 
 
 if __name__ == '__main__':
