@@ -2,7 +2,6 @@
 """CLEAR needs fresh data; before and after them it is UNKNOWN, and the heartbeat goes on."""
 import math
 
-from feed import Feed
 from footprint_collision_predictor.msg import CollisionWarning
 from node_testing import BOX, PATIENT, circle
 from ros_test_case import RosTestCase, run
@@ -13,11 +12,6 @@ MARGIN = 0.15  # [s] with one heartbeat, the 200 ms in which a fault must be tol
 
 
 class DataLoss(RosTestCase):
-    def feed(self, send):
-        feed = Feed(send)
-        self.addCleanup(feed.stop)
-        return feed
-
     def wait_clear(self, node):
         return node.warnings.wait_for(lambda w: w.level == w.CLEAR, 'CLEAR')
 

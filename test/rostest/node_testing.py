@@ -132,6 +132,10 @@ class Rig:
         """The process that the node lives in."""
         return self.run(find_node(PACKAGE, NODE)[0], name=NODE)
 
+    def restart(self):
+        """After the process has ended: as a respawned node starts."""
+        self.process = self._start()
+
     def run(self, *command, name):
         return subprocess.Popen([*command, '__ns:=' + self.namespace, '__name:=' + name])
 

@@ -9,6 +9,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 import rospy
+from feed import Feed
 from node_testing import UNKNOWN_REASONS, Rig
 
 _OUTPUT_FLAG = '--gtest_output=xml:'
@@ -22,6 +23,12 @@ class RosTestCase(unittest.TestCase):
         rig = Rig(*arguments, **parameters)
         self.addCleanup(rig.close)
         return rig
+
+    def feed(self, send):
+        """Fresh messages until it is stopped, at the latest with the test."""
+        feed = Feed(send)
+        self.addCleanup(feed.stop)
+        return feed
 
     def assertUnknown(self, warning, reason):
         """What UNKNOWN must say of itself, besides its reason."""
