@@ -60,6 +60,7 @@ Node::Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
       node_(node),
       private_node_(private_node),
       predictions_(node_.advertise<CollisionPrediction>("collision_prediction", kQueueSize)),
+      markers_(private_node_.advertise<visualization_msgs::MarkerArray>("markers", 1)),
       warnings_(node_),
       pipeline_(*used_,
                 {node_.resolveName("obstacles"), node_.resolveName("footprint"),
@@ -176,7 +177,9 @@ void Node::work() {
 
 /// What is done once in a period of the heartbeat, besides taking in messages.
 void Node::goRound(const Moment& now) {
-  publish({pipeline_.repeat(now), {}, now});
+  const CollisionWarning repeated = pipeline_.repeat(now);
+  publish({repeated, {}, now});
+  if (markers_.getNumSubscribers() > 0) markers_.publish(pipeline_.picture(repeated, now));
   renewAbandonedInputs();
   if (secondsBetween(last_report_, now.steady) < kReportPeriod) return;
   last_report_ = now.steady;

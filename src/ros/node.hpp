@@ -69,6 +69,7 @@ class Node {
   ros::NodeHandle private_node_;
   ros::CallbackQueue queue_;
   ros::Publisher predictions_;
+  ros::Publisher markers_;
   WarningPublisher warnings_;
   tf2::BufferCore tf_;
 

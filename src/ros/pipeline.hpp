@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tf2/buffer_core.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <functional>
 #include <optional>
@@ -55,6 +56,10 @@ class Pipeline {
     inputs_.setRegistered(publishers_of);
   }
   Report report(const Moment& now) const;
+
+  /// What RViz shows of that warning. It is predicted once more for it.
+  visualization_msgs::MarkerArray picture(const CollisionWarning& repeated,
+                                          const Moment& now) const;
 
  private:
   void adoptPending();
