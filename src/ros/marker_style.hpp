@@ -25,7 +25,7 @@ constexpr std::size_t kOutlooks = 6;
 
 /// Lengths are multiples of the footprint's bounding radius.
 struct Style {
-  float red, green, blue;
+  int red, green, blue;  ///< 0 to 255
   double width;
   double dash;  ///< 0: not dashed
   double gap;
@@ -33,12 +33,12 @@ struct Style {
 
 inline const Style& styleOf(Outlook outlook) {
   static const Style kStyles[kOutlooks] = {
-      {0.60f, 0.60f, 0.60f, 0.02, 0, 0},        // grey, thin
-      {0.00f, 0.62f, 0.45f, 0.035, 0, 0},       // bluish green
-      {0.34f, 0.71f, 0.91f, 0.05, 0, 0},        // sky blue
-      {0.80f, 0.47f, 0.65f, 0.06, 0.06, 0.09},  // reddish purple, dotted
-      {0.90f, 0.62f, 0.00f, 0.09, 0.25, 0.10},  // orange, dashed
-      {0.84f, 0.37f, 0.00f, 0.14, 0, 0},        // vermillion, wide
+      {153, 153, 153, 0.018, 0, 0},        // grey, thin
+      {0, 158, 115, 0.030, 0, 0},          // bluish green
+      {86, 180, 233, 0.042, 0, 0},         // sky blue
+      {204, 121, 167, 0.055, 0.06, 0.09},  // reddish purple, dotted
+      {230, 159, 0, 0.075, 0.25, 0.10},    // orange, dashed
+      {213, 94, 0, 0.110, 0, 0},           // vermillion, wide
   };
   return kStyles[static_cast<std::size_t>(outlook)];
 }
@@ -46,9 +46,9 @@ inline const Style& styleOf(Outlook outlook) {
 inline std_msgs::ColorRGBA colourOf(Outlook outlook, float opacity = 1) {
   const Style& style = styleOf(outlook);
   std_msgs::ColorRGBA colour;
-  colour.r = style.red;
-  colour.g = style.green;
-  colour.b = style.blue;
+  colour.r = static_cast<float>(style.red) / 255;
+  colour.g = static_cast<float>(style.green) / 255;
+  colour.b = static_cast<float>(style.blue) / 255;
   colour.a = opacity;
   return colour;
 }

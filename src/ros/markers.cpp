@@ -19,16 +19,16 @@ constexpr double kArrowTime = 1;
 
 // The following are multiples of the unit, the footprint's bounding radius.
 constexpr double kLeastRadius = 0.05;  // at which a point is drawn
-constexpr double kArrowHead = 0.3;
-constexpr double kArrowWidth = 0.04;
-constexpr double kContactSize = 0.22;
-constexpr double kTextHeight = 0.45;
+constexpr double kArrowHead = 0.2;
+constexpr double kArrowWidth = 0.03;
+constexpr double kContactSize = 0.18;
+constexpr double kTextHeight = 0.32;
 constexpr double kLayer = 0.01;  // height between what lies over each other
 
 constexpr double kUnitWithoutFootprint = 0.5;  // [m]
 
 constexpr float kFillOpacity = 0.25f;
-constexpr Style kGhost = {0, 0, 0, 0.03, 0.08, 0.06};  // its colour is the level's
+constexpr Style kGhost = {0, 0, 0, 0.025, 0.08, 0.06};  // its colour is the level's
 
 bool isUnknown(const CollisionWarning& warning) {
   // That a level is still held says nothing about what was predicted.
@@ -151,7 +151,8 @@ class Painter {
       const PlanarPose pose = poseAfter(picture_.twist, time);
       outlook = outlookOf(time, picture_.thresholds, outlook);
       if (time > 0) {
-        addClosed(posed(picture_.footprint->vertices(), pose), kGhost, unit_, 0, lines);
+        if (moves(pose))
+          addClosed(posed(picture_.footprint->vertices(), pose), kGhost, unit_, 0, lines);
         addClosed(outlineAt(picture_.obstacles[first->obstacle], time, kLeastRadius * unit_),
                   kGhost, unit_, 0, lines);
         addPoint(posed({first->contact.point}, pose)[0], contacts);
@@ -168,6 +169,12 @@ class Painter {
     contact.scale.x = contact.scale.y = contact.scale.z = kContactSize * unit_;
     contact.color = colourOf(outlook);
     add(std::move(contact));
+  }
+
+  /// Enough for the ghost to be told from the footprint.
+  bool moves(const PlanarPose& pose) const {
+    return pose.position.norm() > kGhost.width * unit_ ||
+           (pose.x_axis - core::Vec2(1, 0)).norm() > kGhost.width;
   }
 
   void addPoint(const core::Vec2& p, Points& points) const {

@@ -193,6 +193,13 @@ TEST(Markers, GhostsAreWhereTheContactIs) {
   EXPECT_LT((xy(contact[1]) - core::Vec2(0.5, 0.2)).norm(), 1e-9) << "on the body now";
 }
 
+TEST(Markers, AFootprintThatStandsHasNoGhostOfItsOwn) {
+  const Drawn drawn({circle({4.5, 0}, {-1, 0})});
+  const MarkerArray array = markers(drawn.picture);
+  for (const auto& p : find(array, "ghosts", 0).points)
+    EXPECT_NEAR((xy(p) - core::Vec2(1, 0)).norm(), 0.5, 0.01);
+}
+
 TEST(Markers, WhatTouchesNowHasNoGhosts) {
   const Drawn drawn({circle({0.9, 0}, {0, 0})});
   const MarkerArray array = markers(drawn.picture);
