@@ -76,7 +76,8 @@ class Rviz(RosTestCase):
 
     @unittest.skipIf(MISSING, 'not installed: ' + ', '.join(MISSING))
     def test_picture(self):
-        node = self.rig(footprint=BOX, ego_motion='static')
+        # On a busy machine the data of this test may be late; that they then look unknown is right.
+        node = self.rig(footprint=BOX, ego_motion='static', max_data_age=5.0)
         feed = self.feed(lambda stamp: node.send(SCENE, stamp=stamp))
         display = self.show(node)
         certain = ALL - {PURPLE}
@@ -98,7 +99,7 @@ class Rviz(RosTestCase):
             time.sleep(0.03)  # a frame
         for colour in colours:
             numbers = sorted(shot[colour] for shot in shots)
-            self.assertGreater(numbers[0], 0.7 * numbers[SHOTS // 2], 'flickers: %s' % (colour,))
+            self.assertGreater(numbers[0], 0.7 * numbers[SHOTS // 2], '%s flickers: %s' % (colour, shots))
 
     def test_launch_argument(self):
         for display, argument, with_rviz in (('', 'auto', False), (':9', 'auto', True),
