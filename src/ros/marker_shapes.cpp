@@ -11,6 +11,9 @@ constexpr double kPi = 3.14159265358979323846;
 // Chords of a full turn.
 constexpr int kChords = 32;
 
+// Vertices of a path that is filled, at most: the time grows with their square, or worse.
+constexpr std::size_t kMostFilled = 200;
+
 // Of one path at most, since a path may be thousands of kilometres long.
 constexpr double kMostDashes = 200;
 
@@ -76,6 +79,36 @@ void addSolid(const core::Vec2& from, const core::Vec2& to, double before, doubl
   lines.push_back(pointAt(to + after / length * edge, z));
 }
 
+/// Without vertices that repeat the one before.
+Path counterClockwise(const Path& path) {
+  Path result;
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (path[i] != path[(i + 1) % path.size()]) result.push_back(path[i]);
+  if (result.empty() && !path.empty()) result.push_back(path[0]);
+  if (core::signedArea(result) < 0) std::reverse(result.begin(), result.end());
+  return result;
+}
+
+/// Both ends included.
+void addArc(const core::Vec2& centre, double radius, double from, double turn, Path& path) {
+  const int chords = std::max(1, static_cast<int>(std::ceil(kChords * turn / (2 * kPi) - 1e-9)));
+  for (int i = 0; i <= chords; ++i)
+    path.push_back(centre + radius * along(from + turn * i / chords));
+}
+
+/// Whether the corner sticks out and nothing else lies in its triangle.
+bool isEar(const Path& path, std::size_t corner) {
+  const std::size_t n = path.size();
+  const core::Vec2 &a = path[(corner + n - 1) % n], &b = path[corner], &c = path[(corner + 1) % n];
+  const auto side = [](const core::Vec2& from, const core::Vec2& to, const core::Vec2& p) {
+    return core::cross(to - from, p - from);
+  };
+  return side(a, b, c) > 0 && std::none_of(path.begin(), path.end(), [&](const core::Vec2& p) {
+           return p != a && p != b && p != c && side(a, b, p) >= 0 && side(b, c, p) >= 0 &&
+                  side(c, a, p) >= 0;
+         });
+}
+
 }  // namespace
 
 PlanarPose poseAfter(const core::Twist& twist, double t) {
@@ -87,12 +120,29 @@ PlanarPose poseAfter(const core::Twist& twist, double t) {
   return {direction.vectorFromLocal(twist.linear * (t * chord)), along(turned)};
 }
 
+Path rounded(const Path& path, double distance) {
+  const Path corners = counterClockwise(path);
+  const std::size_t n = corners.size();
+  if (distance <= 0 || n < 2) return corners;
+  Path result;
+  for (std::size_t i = 0; i < n; ++i) {
+    const core::Vec2 in = (corners[i] - corners[(i + n - 1) % n]).normalized();
+    const core::Vec2 out = (corners[(i + 1) % n] - corners[i]).normalized();
+    const double turn = std::atan2(core::cross(in, out), in.dot(out));
+    const core::Vec2 normal = -core::leftNormal(in);
+    if (turn > 0 || turn < 1e-9 - kPi)  // the end of a line may turn either way
+      addArc(corners[i], distance, std::atan2(normal.y(), normal.x()), std::abs(turn), result);
+    else  // a dent: where the shifted edges meet
+      result.push_back(corners[i] + distance / std::max(0.1, 1 + in.dot(out)) *
+                                        (normal - core::leftNormal(out)));
+  }
+  return result;
+}
+
 Path outlineAt(const core::Obstacle& obstacle, double t, double least_radius) {
-  const core::Vec2 centre = obstacle.motion().positionAt(t);
-  const double radius = std::max(obstacle.radius(), least_radius);
   Path path;
-  path.reserve(kChords);
-  for (int i = 0; i < kChords; ++i) path.push_back(centre + radius * along(2 * kPi * i / kChords));
+  addArc(obstacle.motion().positionAt(t), std::max(obstacle.radius(), least_radius), 0,
+         2 * kPi * (1 - 1.0 / kChords), path);
   return path;
 }
 
@@ -126,9 +176,16 @@ void addClosed(const Path& path, const Style& style, double unit, double z, Poin
 }
 
 void addFilled(const Path& path, double z, Points& triangles) {
-  for (std::size_t i = 2; i < path.size(); ++i)
-    for (const std::size_t corner : {std::size_t{0}, i - 1, i})
-      triangles.push_back(pointAt(path[corner], z));
+  if (path.size() > kMostFilled) return;
+  Path left = counterClockwise(path);
+  while (left.size() >= 3) {
+    std::size_t ear = 0;
+    while (ear < left.size() && !isEar(left, ear)) ++ear;
+    if (ear == left.size()) return;
+    for (const std::size_t corner : {ear + left.size() - 1, ear, ear + 1})
+      triangles.push_back(pointAt(left[corner % left.size()], z));
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
 }
 
 void addArrow(const core::Vec2& from, const core::Vec2& to, double head, double z, Points& lines) {

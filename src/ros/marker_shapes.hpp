@@ -17,6 +17,10 @@ using Path = std::vector<core::Vec2>;
 /// Where the footprint's frame is `t` [s] later, in the footprint's frame at t = 0.
 PlanarPose poseAfter(const core::Twist& twist, double t);
 
+/// The closed path at a distance [m] all round a line or polygon, in either winding. Where edges
+/// are shorter than the distance, a dent is drawn with loops.
+Path rounded(const Path& path, double distance);
+
 /// The closed path round an obstacle at time t, over ground in the footprint's frame at t = 0.
 /// \param least_radius [m] a smaller circle is drawn as large as this
 Path outlineAt(const core::Obstacle& obstacle, double t, double least_radius);
@@ -31,7 +35,8 @@ void addLine(const core::Vec2& from, const core::Vec2& to, const Style& style, d
              double z, Points& lines);
 void addClosed(const Path& path, const Style& style, double unit, double z, Points& lines);
 
-/// Adds triangles (three points for each) that fill a convex path.
+/// Adds triangles (three points for each) that fill a closed path in either winding, by cutting off
+/// ears. One that crosses itself is filled in part, one of very many vertices not at all.
 void addFilled(const Path& path, double z, Points& triangles);
 
 /// Adds an arrow as lines; nothing for one without length.

@@ -33,12 +33,12 @@ struct Style {
 
 inline const Style& styleOf(Outlook outlook) {
   static const Style kStyles[kOutlooks] = {
-      {153, 153, 153, 0.018, 0, 0},        // grey, thin
-      {0, 158, 115, 0.030, 0, 0},          // bluish green
-      {86, 180, 233, 0.042, 0, 0},         // sky blue
-      {204, 121, 167, 0.055, 0.06, 0.09},  // reddish purple, dotted
-      {230, 159, 0, 0.075, 0.25, 0.10},    // orange, dashed
-      {213, 94, 0, 0.110, 0, 0},           // vermillion, wide
+      {153, 153, 153, 0.022, 0, 0},        // grey, thin
+      {0, 158, 115, 0.036, 0, 0},          // bluish green
+      {86, 180, 233, 0.050, 0, 0},         // sky blue
+      {204, 121, 167, 0.066, 0.06, 0.09},  // reddish purple, dotted
+      {230, 159, 0, 0.090, 0.25, 0.10},    // orange, dashed
+      {213, 94, 0, 0.130, 0, 0},           // vermillion, wide
   };
   return kStyles[static_cast<std::size_t>(outlook)];
 }

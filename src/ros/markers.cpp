@@ -26,7 +26,10 @@ constexpr double kTextHeight = 0.32;
 constexpr double kLayer = 0.01;  // height between what lies over each other
 
 constexpr double kUnitWithoutFootprint = 0.5;  // [m]
+constexpr double kTurning = 0.1;               // [rad/s]
+constexpr double kLeastTextHeight = 0.18;      // [m]
 
+constexpr Outlook kTop = Outlook::kCritical;  // lies over the others
 constexpr float kFillOpacity = 0.25f;
 constexpr Style kGhost = {0, 0, 0, 0.025, 0.08, 0.06};  // its colour is the level's
 
@@ -65,6 +68,11 @@ class Painter {
                 lines[static_cast<std::size_t>(outlook)]);
       }
     addLines("footprint", lines);
+    Marker body = marker("body", 0, Marker::TRIANGLE_LIST);
+    if (picture_.footprint) addFilled(picture_.footprint->vertices(), -layer(kTop), body.points);
+    body.scale.x = body.scale.y = body.scale.z = 1;
+    body.color = colourOf(Outlook::kIrrelevant, kFillOpacity);
+    add(std::move(body));
   }
 
   Outlook outlookOfSegment(std::size_t i) const {
@@ -181,7 +189,7 @@ class Painter {
     geometry_msgs::Point point;
     point.x = p.x();
     point.y = p.y();
-    point.z = layer(Outlook::kCritical);
+    point.z = layer(kTop);
     points.push_back(point);
   }
 
@@ -189,12 +197,14 @@ class Painter {
     Marker text = marker("text", 0, Marker::TEXT_VIEW_FACING);
     text.action = Marker::ADD;
     text.text = markerText(picture_.warning, undrawn_);
-    text.scale.z = kTextHeight * unit_;
+    text.scale.z = std::max(kTextHeight * unit_, kLeastTextHeight);
     text.color = colourOf(outlookOf(static_cast<core::Level>(picture_.warning.level)));
     if (picture_.footprint) {
       const core::Vec2& centre = picture_.footprint->centroid();
       text.pose.position.x = centre.x();
-      text.pose.position.y = centre.y() + 1.5 * unit_;
+      // Ghosts of a robot that turns lie on the inner side.
+      const double side = picture_.twist.angular > kTurning ? -1 : 1;
+      text.pose.position.y = centre.y() + side * (1.2 * unit_ + text.scale.z);
     }
     array_.markers.push_back(std::move(text));
   }

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace footprint_collision_predictor {
 namespace {
@@ -100,6 +102,83 @@ TEST(MarkerShapes, ACircle) {
     EXPECT_NEAR((p - core::Vec2(7, 2)).norm(), 0.5, 1e-9);
   for (const core::Vec2& p : outlineAt(core::Obstacle({{1, 2}, {0, 0}, {0, 0}}, 0), 0, 0.1))
     EXPECT_NEAR((p - core::Vec2(1, 2)).norm(), 0.1, 1e-9) << "a point must be seen";
+}
+
+/// [m] from the nearest edge.
+double gap(const core::Vec2& p, const Path& outline) {
+  double nearest = 1e9;
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    nearest = std::min(nearest, core::distance({outline[i], outline[(i + 1) % outline.size()]}, p));
+  return nearest;
+}
+
+double areaOf(const Points& triangles) {
+  double area = 0;
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
+    area += 0.5 * std::abs(core::cross(xy(triangles[i + 1]) - xy(triangles[i]),
+                                       xy(triangles[i + 2]) - xy(triangles[i])));
+  return area;
+}
+
+const Path kLine = {{-1, 0}, {1, 0}};
+const Path kSquare = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+const Path kCorner = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};  // like an L
+
+Path reversed(Path path) {
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+TEST(MarkerShapes, PathsAreRoundedAtADistance) {
+  for (const Path& outline : {kLine, kSquare, kCorner, reversed(kLine), reversed(kSquare),
+                              reversed(kCorner), Path{{0, 0}, {0, 0}, {3, 0}, {3, 1}}}) {
+    const Path path = rounded(outline, 0.3);
+    EXPECT_GT(path.size(), outline.size());
+    double left = 0, right = 0;
+    for (const core::Vec2& p : path) {
+      EXPECT_NEAR(gap(p, outline), 0.3, 1e-9) << p.transpose();
+      left = std::min(left, p.x());
+      right = std::max(right, p.x());
+    }
+    double ends[2] = {0, 0};
+    for (const core::Vec2& p : outline) {
+      ends[0] = std::min(ends[0], p.x());
+      ends[1] = std::max(ends[1], p.x());
+    }
+    EXPECT_NEAR(left, ends[0] - 0.3, 0.01) << "all round, not inside";
+    EXPECT_NEAR(right, ends[1] + 0.3, 0.01);
+  }
+}
+
+TEST(MarkerShapes, PathsAtNoDistanceAreThemselves) {
+  EXPECT_EQ(rounded(kLine, 0), kLine);
+  EXPECT_EQ(rounded(reversed(kCorner), 0), kCorner);
+}
+
+TEST(MarkerShapes, ANarrowDentIsDrawnNearby) {
+  const Path dented = {{0, 0}, {4, 0}, {2.0001, 0}, {4, 1e-5}, {4, 2}, {0, 2}};
+  for (const core::Vec2& p : rounded(dented, 0.3)) EXPECT_LT(gap(p, dented), 7);
+}
+
+TEST(MarkerShapes, FillsCoverTheArea) {
+  const std::pair<Path, double> cases[] = {
+      {kSquare, 4}, {kCorner, 3}, {{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}, 4}, {kLine, 0}};
+  for (const auto& [path, area] : cases)
+    for (const Path& winding : {path, reversed(path)}) {
+      Points triangles;
+      addFilled(winding, 0, triangles);
+      EXPECT_NEAR(areaOf(triangles), area, 1e-9);
+    }
+}
+
+TEST(MarkerShapes, FillingEndsWhateverThePath) {
+  Points triangles;
+  addFilled({{0, 0}, {2, 2}, {2, 0}, {0, 2}}, 0, triangles);
+  addFilled({{0, 0}, {1, 0}, {2, 0}, {1, 0}}, 0, triangles);
+  EXPECT_LT(triangles.size(), 7u);
+  Points none;
+  addFilled(Path(5000, {1, 1}), 0, none);
+  EXPECT_TRUE(none.empty());
 }
 
 }  // namespace
