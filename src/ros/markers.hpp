@@ -16,7 +16,7 @@ namespace footprint_collision_predictor {
 constexpr double kMarkerLifetime = 1.0;
 
 /// Obstacles drawn at most: those that matter, then the nearest.
-constexpr std::size_t kMostObstaclesDrawn = 500;
+constexpr std::size_t kMostObstaclesDrawn = 200;
 
 /// All at the moment of the warning's stamp, in the footprint's frame.
 struct Picture {

@@ -243,8 +243,8 @@ TEST(Markers, OfManyObstaclesThoseThatMatterAndTheNearestAreDrawn) {
   double farthest = 0;
   for (const auto& p : find(array, "obstacles", Outlook::kIrrelevant).points)
     farthest = std::max(farthest, p.y);
-  EXPECT_NEAR(farthest, 499 + 0.1, 0.01);
-  EXPECT_NE(find(array, "text", 0).text.find("(201 obstacles are not drawn)"), std::string::npos);
+  EXPECT_NEAR(farthest, 199 + 0.1, 0.01);
+  EXPECT_NE(find(array, "text", 0).text.find("(501 obstacles are not drawn)"), std::string::npos);
 }
 
 TEST(Markers, OneLineOfText) {
