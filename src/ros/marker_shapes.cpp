@@ -140,9 +140,14 @@ Path rounded(const Path& path, double distance) {
 }
 
 Path outlineAt(const core::Obstacle& obstacle, double t, double least_radius) {
-  Path path;
-  addArc(obstacle.motion().positionAt(t), std::max(obstacle.radius(), least_radius), 0,
-         2 * kPi * (1 - 1.0 / kChords), path);
+  const core::Vec2 centre = obstacle.motion().positionAt(t);
+  const double radius = obstacle.disc().radiusAt(t);
+  Path path = rounded(obstacle.outline(), radius);
+  for (core::Vec2& vertex : path) vertex += centre;
+  if (path.size() >= 2) return path;
+  path.clear();  // without an extent, an outline is a circle too
+  addArc(centre + (obstacle.outline().empty() ? core::Vec2(0, 0) : obstacle.outline()[0]),
+         std::max(radius, least_radius), 0, 2 * kPi * (1 - 1.0 / kChords), path);
   return path;
 }
 

@@ -21,7 +21,8 @@ PlanarPose poseAfter(const core::Twist& twist, double t);
 /// are shorter than the distance, a dent is drawn with loops.
 Path rounded(const Path& path, double distance);
 
-/// The closed path round an obstacle at time t, over ground in the footprint's frame at t = 0.
+/// The closed path round an obstacle at time t, over ground in the footprint's frame at t = 0: a
+/// circle, or its outline rounded by its radius.
 /// \param least_radius [m] a smaller circle is drawn as large as this
 Path outlineAt(const core::Obstacle& obstacle, double t, double least_radius);
 

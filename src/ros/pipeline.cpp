@@ -81,6 +81,14 @@ CollisionWarning Pipeline::repeat(const Moment& now) {
   return warningNow(now, Counts::kNot);
 }
 
+visualization_msgs::MarkerArray Pipeline::picture(const CollisionWarning& repeated,
+                                                  const Moment& now) const {
+  const bool usable = scene_ && !inputs_.tooOld(now, scene_->odometry).makeUnknown();
+  const auto& footprint = inputs_.footprint();
+  return markers(repeated, usable ? &*scene_ : nullptr, footprint ? &*footprint : nullptr,
+                 parameters_.thresholds);
+}
+
 /// What was predicted holds for the old parameters only.
 void Pipeline::adoptPending() {
   if (!pending_) return;

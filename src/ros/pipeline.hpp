@@ -60,6 +60,10 @@ class Pipeline {
   visualization_msgs::MarkerArray picture(const CollisionWarning& repeated,
                                           const Moment& now) const;
 
+  /// What RViz shows of that warning. It is predicted once more for it.
+  visualization_msgs::MarkerArray picture(const CollisionWarning& repeated,
+                                          const Moment& now) const;
+
  private:
   void adoptPending();
   void watchClock(const Moment& now);

@@ -155,6 +155,18 @@ TEST(MarkerShapes, PathsAtNoDistanceAreThemselves) {
   EXPECT_EQ(rounded(reversed(kCorner), 0), kCorner);
 }
 
+TEST(MarkerShapes, OutlinesMoveAndTheirRadiusGrows) {
+  const core::Obstacle obstacle({{0, 0}, {1, 2}, {0, 0}}, 0.1, 0.2, kLine);
+  for (const core::Vec2& p : outlineAt(obstacle, 1, 0))
+    EXPECT_NEAR(gap(p, {{0, 2}, {2, 2}}), 0.3, 1e-9);
+  const core::Obstacle circle({{0, 0}, {1, 2}, {0, 0}}, 0.1, 0.2);
+  for (const core::Vec2& p : outlineAt(circle, 1, 0))
+    EXPECT_NEAR((p - core::Vec2(1, 2)).norm(), 0.3, 1e-9);
+  const Path twice = {{1, 0}, {1, 0}};
+  for (const core::Vec2& p : outlineAt(core::Obstacle(circle.motion(), 0.1, 0.2, twice), 1, 0))
+    EXPECT_NEAR((p - core::Vec2(2, 2)).norm(), 0.3, 1e-9) << "a line without length";
+}
+
 TEST(MarkerShapes, ANarrowDentIsDrawnNearby) {
   const Path dented = {{0, 0}, {4, 0}, {2.0001, 0}, {4, 1e-5}, {4, 2}, {0, 2}};
   for (const core::Vec2& p : rounded(dented, 0.3)) EXPECT_LT(gap(p, dented), 7);
