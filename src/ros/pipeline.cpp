@@ -99,14 +99,6 @@ void Pipeline::adoptPending() {
   pending_.reset();
 }
 
-visualization_msgs::MarkerArray Pipeline::picture(const CollisionWarning& repeated,
-                                                  const Moment& now) const {
-  const bool usable = scene_ && !inputs_.tooOld(now, scene_->odometry).makeUnknown();
-  const auto& footprint = inputs_.footprint();
-  return markers(repeated, usable ? &*scene_ : nullptr, footprint ? &*footprint : nullptr,
-                 parameters_.thresholds);
-}
-
 void Pipeline::watchClock(const Moment& now) {
   if (!inputs_.forgetIfClockJumpedBack(now)) return;
   tf_.clear();

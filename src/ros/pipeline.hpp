@@ -60,10 +60,6 @@ class Pipeline {
   visualization_msgs::MarkerArray picture(const CollisionWarning& repeated,
                                           const Moment& now) const;
 
-  /// What RViz shows of that warning. It is predicted once more for it.
-  visualization_msgs::MarkerArray picture(const CollisionWarning& repeated,
-                                          const Moment& now) const;
-
  private:
   void adoptPending();
   void watchClock(const Moment& now);
