@@ -51,38 +51,42 @@ if CostmapConverterObstacles._md5sum != '8a1bdcde72c65ca7d3ce8ebf52d43516':
     raise AssertionError('costmap_converter/ObstacleArrayMsg is defined wrongly')
 
 
-def from_obstacle_detector(circles, margin, segments=()):
-    """What obstacle_detector would send: `radius` is the measured one plus a margin."""
+def from_obstacle_detector(obstacles, margin):
+    """What obstacle_detector would send: `radius` is the measured one plus a margin; lines have
+    neither radius nor velocity."""
     message = ObstacleDetectorObstacles()
-    for obstacle in circles:
+    for obstacle in obstacles:
+        if obstacle.outline:
+            item = _obstacle_detector['obstacle_detector/SegmentObstacle']()
+            (item.first_point.x, item.first_point.y), (item.last_point.x, item.last_point.y) = \
+                _vertices(obstacle)
+            message.segments.append(item)
+            continue
         item = _obstacle_detector['obstacle_detector/CircleObstacle']()
         item.center.x, item.center.y = obstacle.position.x, obstacle.position.y
         item.velocity.x, item.velocity.y = obstacle.velocity.x, obstacle.velocity.y
         item.true_radius, item.radius = obstacle.radius, obstacle.radius + margin
         message.circles.append(item)
-    for (x0, y0), (x1, y1) in segments:
-        item = _obstacle_detector['obstacle_detector/SegmentObstacle']()
-        item.first_point.x, item.first_point.y = x0, y0
-        item.last_point.x, item.last_point.y = x1, y1
-        message.segments.append(item)
     return message
 
 
-def from_costmap_converter(circles, polygons=()):
+def from_costmap_converter(obstacles):
     """What costmap_converter would send: a circle is a polygon of one vertex."""
     message = CostmapConverterObstacles()
-    for obstacle in circles:
-        item = _costmap_obstacle([(obstacle.position.x, obstacle.position.y)])
+    for obstacle in obstacles:
+        item = _costmap_converter['costmap_converter/ObstacleMsg']()
+        for x, y in _vertices(obstacle):
+            item.polygon.points.append(_costmap_converter['geometry_msgs/Point32'](x, y, 0))
         item.id, item.radius = obstacle.id, obstacle.radius
         linear = item.velocities.twist.linear
         linear.x, linear.y = obstacle.velocity.x, obstacle.velocity.y
         message.obstacles.append(item)
-    message.obstacles += [_costmap_obstacle(polygon) for polygon in polygons]
     return message
 
 
-def _costmap_obstacle(vertices):
-    item = _costmap_converter['costmap_converter/ObstacleMsg']()
-    for x, y in vertices:
-        item.polygon.points.append(_costmap_converter['geometry_msgs/Point32'](x, y, 0))
-    return item
+def _vertices(obstacle):
+    """In the frame of the message; of a circle its centre."""
+    centre = obstacle.position
+    if not obstacle.outline:
+        return [(centre.x, centre.y)]
+    return [(centre.x + vertex.x, centre.y + vertex.y) for vertex in obstacle.outline]

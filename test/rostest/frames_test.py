@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Obstacles in a frame that is turned and shifted: velocities are turned, and not shifted."""
+"""Obstacles in a frame that is turned and shifted: velocities and outlines are turned, and not
+shifted."""
+from geometry_msgs.msg import Point
 from node_testing import PATIENT, circle, transform
 from ros_test_case import RosTestCase, run
 
@@ -42,6 +44,23 @@ class Frames(RosTestCase):
         x, y = 4, 0.25
         position = (-11 + (5 - y) * 0.8 + (7 + x) * 0.6, 2 - (5 - y) * 0.6 + (7 + x) * 0.8)
         self.check(node, circle(7, position, (-0.6, -0.8)), 'pythagoras', 2.5, 3, (1, 0.25))
+
+    def test_outline(self):
+        """In base_link a line from (4, 0.25) to (5, 1.25) comes at (-1, 0), told from (4, -3)."""
+        line = circle(7, (8, 11), (0, -1), radius=0)
+        line.outline = [Point(-3.25, 0, 0), Point(-4.25, 1, 0)]
+        self.check(self.node(QUARTER), line, 'quarter', 3, 3, (1, 0.25))
+
+    def test_outline_at_a_pythagorean_angle(self):
+        """In base_link a square stands on its corner (0.5, -2), the others being 1 m to the left,
+        below and to the right of its centre, and comes at (0, 1). base_link's x axis is (0.6, 0.8)
+        in `pythagoras`, its y axis (-0.8, 0.6)."""
+        x, y = 0.5, -3
+        position = (-11 + (5 - y) * 0.8 + (7 + x) * 0.6, 2 - (5 - y) * 0.6 + (7 + x) * 0.8)
+        square = circle(7, position, (-0.8, 0.6), radius=0)
+        square.outline = [Point(0.6, 0.8, 0), Point(-0.8, 0.6, 0), Point(-0.6, -0.8, 0),
+                          Point(0.8, -0.6, 0)]
+        self.check(self.node(PYTHAGORAS, QUARTER), square, 'pythagoras', 1.5, 2, (0.5, -0.5))
 
     def test_own_motion_in_a_turned_world(self):
         """The robot drives (1, 0) in its own axes, the obstacle stands still at (4, 0.25) there."""

@@ -36,6 +36,14 @@ def circle(identity, position, velocity=(0, 0), radius=0.5, acceleration=(0, 0))
     return obstacle
 
 
+def outline(identity, vertices, velocity=(0, 0), radius=0):
+    """Told from its first vertex."""
+    obstacle = circle(identity, vertices[0], velocity, radius)
+    obstacle.outline = [geometry_msgs.msg.Point(x - vertices[0][0], y - vertices[0][1], 0)
+                        for x, y in vertices]
+    return obstacle
+
+
 def transform(parent, child, x, y, qz=0.0, qw=1.0, stamp=rospy.Time()):
     message = geometry_msgs.msg.TransformStamped()
     message.header.frame_id, message.header.stamp = parent, stamp

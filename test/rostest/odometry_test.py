@@ -8,6 +8,7 @@ from node_testing import PATIENT, circle
 from ros_test_case import RosTestCase, run
 
 STANDING = circle(7, (4, 0))  # 2.5 m before the front
+APPROACHING = circle(7, (2.5, 0), (-1, 0))
 INVALID = CollisionWarning.REASON_ODOM_INVALID
 
 
@@ -37,6 +38,24 @@ class Odometry(RosTestCase):
         node.send_odometry((2, 0), stamp=older)
         node.send([STANDING], stamp=newer)
         self.assertAlmostEqual(node.warning_at(newer).time_to_collision, 2.5, delta=1e-9)
+
+    def test_touching_now_without_any(self):
+        """Where the robot is does not depend on how it moves."""
+        node = self.driving()
+        touching = circle(8, (1.25, 0))  # 0.25 m deep in the front
+        warning = node.warning_at(node.send([APPROACHING, touching]))
+        self.assertEqual((warning.level, warning.time_to_collision), (warning.CRITICAL, 0))
+        self.assertEqual(warning.obstacle_id, 8)
+        self.assertEqual(warning.contact_free_time, 0)
+        self.assertEqual(warning.reason & warning.REASON_ODOM_MISSING, warning.REASON_ODOM_MISSING)
+        self.assertSays(warning, node.topic('odom'), '~ego_motion')
+
+    def test_no_hit_is_claimed_without_any(self):
+        node = self.driving()
+        warning = node.warning_at(node.send([APPROACHING]))
+        self.assertUnknown(warning, warning.REASON_ODOM_MISSING)
+        for value in warning.time_to_collision, warning.closest_distance, warning.closest_time:
+            self.assertTrue(math.isnan(value), warning)
 
     def test_none_before_the_stamp(self):
         node = self.driving()
