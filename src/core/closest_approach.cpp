@@ -46,7 +46,8 @@ class Search {
   Gap<EdgeBody, Path> gapAt(double t) const { return {edge_, path_, disc_, t}; }
 
   /// Follows a gap that shrinks down to where it stops, or to the horizon: Newton's method on its
-  /// slope, kept within a bracket. Where the gap has several minima, any of them will do.
+  /// slope, kept within a bracket. Where the gap has several minima, any of them will do; a slope
+  /// also vanishes where the gap is largest, which is no place to stop.
   void descend(double t, ClosestApproach* closest) const {
     constexpr int kMaxSteps = 60;
     double shrinks = t, grows = horizon_, next = horizon_;
@@ -56,9 +57,10 @@ class Search {
       if (gap.size() < closest->distance) *closest = {gap.size(), next};
       if (falls && next == horizon_) return;
       (falls ? shrinks : grows) = next;
-      if (i > 0 && std::abs(gap.slope()) * (grows - shrinks) < kResolution / 8) return;
+      const bool is_lowest = gap.size() <= closest->distance;
+      if (i > 0 && is_lowest && std::abs(gap.slope()) * (grows - shrinks) < kResolution / 8) return;
       next -= gap.slope() / gap.curvature();
-      const bool usable = next > shrinks && next < grows;  // false for NaN
+      const bool usable = gap.curvature() > 0 && next > shrinks && next < grows;  // false for NaN
       if (!usable) next = 0.5 * (shrinks + grows);
     }
   }

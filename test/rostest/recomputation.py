@@ -31,7 +31,7 @@ def compare(test_case, moments, node, horizon, graze, every):
             tally += recomputed.check_warning(warnings[moment.stamp], prediction.segments,
                                               index % every == 0)
     print('\n' + ', '.join('%d %s' % (count, what) for what, count in tally.items()))
-    test_case.assertLess(tally['late'], 0.01 * len(moments))
+    test_case.assertLess(tally['late'], 0.05 * len(moments))
     return tally
 
 

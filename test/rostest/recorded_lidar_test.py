@@ -54,7 +54,7 @@ class RecordedLidar(RosTestCase):
         messages = self.read(bag)
         node = self.rig(None, footprint=[[vertex.real, vertex.imag] for vertex in FOOTPRINT],
                         base_frame='robot', fixed_frame='map', ego_motion=ego_motion,
-                        clear_after=1, max_data_age=10.0, transform_tolerance=10.0)
+                        clear_after=1, max_data_age=60.0, transform_tolerance=60.0)
         if ego_motion == 'odom':
             self.drive(node)
         player = play(self, bag, ('/obstacles', '/tf_static'), '--rate', '3',

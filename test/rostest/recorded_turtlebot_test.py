@@ -55,8 +55,8 @@ class RecordedTurtlebot(RosTestCase):
     def test_all(self):
         bag = recording(self, 'turtlebot3.bag')
         node = self.rig(footprint=[[vertex.real, vertex.imag] for vertex in FOOTPRINT],
-                        base_frame='base_footprint', clear_after=1, max_data_age=10.0,
-                        transform_tolerance=10.0)
+                        base_frame='base_footprint', clear_after=1, max_data_age=60.0,
+                        transform_tolerance=60.0)
         sent = []
 
         def send_surroundings(odometry):
