@@ -12,7 +12,8 @@ namespace footprint_collision_predictor::test {
 /// What is wrong with an answer; empty when nothing is found.
 std::string wrongBySampling(const Case& c, const std::optional<core::Contact>& contact);
 
-/// One half of it: whether the disc is far from touching at the reported contact.
+/// One half of it: whether the disc is far from touching at the reported contact. Less strict: that
+/// of a vertex may have been found by a longer neighbour, with the tolerance of that.
 std::string inventedBySampling(const Case& c, const core::Contact& contact);
 
 /// The other half: whether the disc overlaps before a contact is reported, if one is. The contact
