@@ -112,12 +112,10 @@ std::string wrong(const Scene& scene, const std::optional<Contact>& contact, con
   const std::size_t named = contact->obstacle;
   const double time = contact->contact.time;
   if (named >= alone.size()) return "obstacle " + std::to_string(named);
-  const double hair = 1e-9 * std::max(1.0, time);
-  if (std::abs(time - *earliest) > hair &&
-      !isGraze(scene, first, std::min(time, *earliest), segment))
+  if (!areBothRight(scene, first, std::min(time, *earliest), std::max(time, *earliest), segment))
     return "at " + std::to_string(time) + ", alone at " + std::to_string(*earliest) + "\n" +
            asCode(scene.with(first));
-  if (alone[named] > *earliest + hair && !isGraze(scene, named, time, segment))
+  if (!areBothRight(scene, named, time, alone[named], segment))
     return "other obstacle\n" + asCode(scene.with(named)) + "\nthan\n" + asCode(scene.with(first));
   return wrongTie(scene, alone, named, segment);
 }

@@ -46,13 +46,17 @@ core::Obstacle anyOutOfReach(const Scene& scene, Random& random) {
       {distance * away, speed * away, random.uniform(0, 3) * away}, random.uniform(0, 5), growth};
 }
 
-bool isGraze(const Scene& scene, std::size_t obstacle, double time,
-             std::optional<std::size_t> segment) {
+bool areBothRight(const Scene& scene, std::size_t obstacle, double earlier, double later,
+                  std::optional<std::size_t> segment) {
+  if (later - earlier <= 1e-9 * std::max(1.0, earlier)) return true;
   const FootprintCase c = scene.with(obstacle);
   const FootprintOracle oracle(c);
-  const Real gap = segment ? oracle.gapOfSegment(*segment, time) : oracle.gap(time);
-  const double size = std::max(1.0, sizeOfCoordinates(c, time));
-  return std::abs(gap) <= (scene.twist.angular == 0 ? 1e-9 : 1e-6) * size;
+  const Real gap = segment ? oracle.gapOfSegment(*segment, earlier) : oracle.gap(earlier);
+  const double size = std::max(1.0, sizeOfCoordinates(c, earlier));
+  if (gap > (scene.twist.angular == 0 ? 1e-9 : 1e-6) * size) return false;
+  const FirstTouch touch = segment ? oracle.firstTouchOfSegment(*segment) : oracle.firstTouch();
+  return !touch.contact_at ||
+         later <= *touch.contact_at + 1e-9L * std::max(1.0L, *touch.contact_at);
 }
 
 std::string asCode(const Scene& scene) {

@@ -27,10 +27,11 @@ Scene anyScene(Random& random, int most = 2000);
 /// So far away, and leaving, that nothing the footprint does within the horizon leads there.
 core::Obstacle anyOutOfReach(const Scene& scene, Random& random);
 
-/// Two answers to the same question may differ in a graze: when at `time` the gap to the obstacle
-/// is 0 but for what the guarantee allows. Of the footprint when there is no segment.
-bool isGraze(const Scene& scene, std::size_t obstacle, double time,
-             std::optional<std::size_t> segment = {});
+/// Whether both are right who say that the obstacle is first touched at `earlier` and at `later`
+/// (HUGE_VAL for never): in a graze the guarantee leaves that open. Of the footprint when there is
+/// no segment.
+bool areBothRight(const Scene& scene, std::size_t obstacle, double earlier, double later,
+                  std::optional<std::size_t> segment = {});
 
 /// Every obstacle as asCode() has it.
 std::string asCode(const Scene& scene);
