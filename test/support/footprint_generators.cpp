@@ -158,4 +158,25 @@ FootprintCase grazingFootprint(Random& random, const Moves& moves) {
   return c;
 }
 
+FootprintCase scaled(const FootprintCase& c, double length, double time) {
+  FootprintCase other = c;
+  for (Vec2& v : other.footprint) v *= length;
+  for (Vec2& v : other.outline) v *= length;
+  const double speed = length / time;
+  other.twist = {speed * c.twist.linear, c.twist.angular / time};
+  const core::Motion& m = c.disc.motion;
+  other.disc = {{length * m.position, speed * m.velocity, speed / time * m.acceleration},
+                length * c.disc.radius,
+                speed * c.disc.radius_rate};
+  other.horizon = std::min(core::kMaxHorizon, time * c.horizon);
+  return other;
+}
+
+FootprintCase translated(const FootprintCase& c, const Vec2& by) {
+  FootprintCase other = c;
+  for (Vec2& v : other.footprint) v += by;
+  other.disc.motion.position += by;
+  return other;
+}
+
 }  // namespace footprint_collision_predictor::test

@@ -32,4 +32,10 @@ FootprintCase anyFootprintCase(Random& random, const Moves& moves);
 /// other: alongside, or closing or parting slowly.
 FootprintCase grazingFootprint(Random& random, const Moves& moves);
 
+/// The same with lengths and times so many times as large, and what follows from these.
+FootprintCase scaled(const FootprintCase& c, double length, double time);
+
+/// The same elsewhere in the footprint's frame; the twist stays that of the frame's origin.
+FootprintCase translated(const FootprintCase& c, const Vec2& by);
+
 }  // namespace footprint_collision_predictor::test

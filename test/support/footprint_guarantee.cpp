@@ -118,7 +118,8 @@ class Examination {
   }
 
   void examinePoint(const std::string& name, const core::Segment& s, const core::Contact& contact) {
-    const double rounding = 0x1p-48 * sizeOfCoordinates(c_, contact.time);
+    const double rounding =
+        0x1p-48 * sizeOfCoordinates(c_, contact.time) + 0x1p-51 * contact.point.norm();
     if (!(distance(s, contact.point) <= rounding))
       wrong_ << name << ": the contact point is " << distance(s, contact.point)
              << " m beside the segment\n";

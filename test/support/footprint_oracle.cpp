@@ -5,6 +5,8 @@
 namespace footprint_collision_predictor::test {
 namespace {
 
+Point point(const Vec2& v) { return {v.x(), v.y()}; }
+
 /// Whether a ray from p leaves through an odd number of edges.
 bool isInside(const std::vector<Line>& edges, const Point& p) {
   bool inside = false;
@@ -21,11 +23,11 @@ std::vector<Line> edgesOf(const OutlineNow& now) {
   return edges;
 }
 
-std::vector<Line> segmentsOf(const std::vector<Vec2>& vertices) {
+std::vector<Line> segmentsOf(const std::vector<Vec2>& vertices, const Point& origin) {
   std::vector<Line> segments;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec2& end = vertices[(i + 1) % vertices.size()];
-    segments.push_back({{vertices[i].x(), vertices[i].y()}, {end.x(), end.y()}});
+    const Point end = point(vertices[(i + 1) % vertices.size()]);
+    segments.push_back({point(vertices[i]) - origin, end - origin});
   }
   return segments;
 }
@@ -33,7 +35,10 @@ std::vector<Line> segmentsOf(const std::vector<Vec2>& vertices) {
 }  // namespace
 
 FootprintOracle::FootprintOracle(const FootprintCase& c)
-    : segments_(segmentsOf(c.footprint)), outline_(c), horizon_(c.horizon) {}
+    : origin_(c.twist.angular == 0 ? point(c.footprint[0]) : Point{0, 0}),
+      segments_(segmentsOf(c.footprint, origin_)),
+      outline_(c, origin_),
+      horizon_(c.horizon) {}
 
 Real FootprintOracle::gap(Real t) const { return gapAt(t, segments_, outline_); }
 
@@ -42,8 +47,8 @@ Real FootprintOracle::gapOfSegment(std::size_t segment, Real t) const {
 }
 
 Real FootprintOracle::gapOfPoint(const Vec2& p, Real t) const {
-  const Point point{p.x(), p.y()};
-  return gapAt(t, {{point, point}}, outline_);
+  const Point there = point(p) - origin_;
+  return gapAt(t, {{there, there}}, outline_);
 }
 
 Line FootprintOracle::shortestLine(Real t) const {
@@ -53,7 +58,7 @@ Line FootprintOracle::shortestLine(Real t) const {
       const Line line = test::shortestLine(segment, edge);
       if (length(line) < length(shortest)) shortest = line;
     }
-  return shortest;
+  return {shortest.start + origin_, shortest.end + origin_};
 }
 
 bool FootprintOracle::isWithinNow() const {

@@ -33,6 +33,7 @@ class FootprintOracle {
   SmallestGap smallestGap() const;
 
  private:
+  Point origin_;  // far from the frame's origin even 64 bits would be short
   std::vector<Line> segments_;
   MovingOutline outline_;
   Real horizon_;

@@ -9,7 +9,7 @@ Point turned(const Point& v, Real cosine, Real sine) { return cosine * v + sine 
 
 }  // namespace
 
-MovingOutline::MovingOutline(const FootprintCase& c)
+MovingOutline::MovingOutline(const FootprintCase& c, const Point& origin)
     : velocity_(point(c.disc.motion.velocity)),
       acceleration_(point(c.disc.motion.acceleration)),
       driving_(point(c.twist.linear)),
@@ -17,7 +17,7 @@ MovingOutline::MovingOutline(const FootprintCase& c)
       radius_(c.disc.radius),
       radius_rate_(c.disc.radius_rate),
       pull_(norm(acceleration_) + std::abs(turning_) * norm(driving_)) {
-  const Point centre = point(c.disc.motion.position);
+  const Point centre = point(c.disc.motion.position) - origin;
   for (const Vec2& v : c.outline) vertices_.push_back(centre + point(v));
   if (c.outline.empty()) vertices_.push_back(centre);
 }

@@ -24,7 +24,8 @@ struct OutlineNow {
 class MovingOutline {
  public:
   /// A disc is an outline of one vertex.
-  explicit MovingOutline(const FootprintCase& c);
+  /// \param origin of all coordinates, in the footprint's frame; where it turns, that of the frame
+  explicit MovingOutline(const FootprintCase& c, const Point& origin = {0, 0});
 
   OutlineNow at(Real t) const;
   Real radiusRate() const { return radius_rate_; }

@@ -8,6 +8,8 @@
 
 #include "footprint_generators.hpp"
 #include "guarantee.hpp"
+#include "oracle.hpp"
+#include "truth.hpp"
 
 namespace footprint_collision_predictor::test {
 namespace {
@@ -174,6 +176,36 @@ TEST(FootprintOracle, IsNeverPastASample) {
                 [&](Random& random) -> std::string {
                   return sampled(random.chance(0.5) ? anyFootprintCase(random, moves)
                                                     : grazingFootprint(random, moves));
+                });
+  }
+}
+
+/// By what knows segments and circles only.
+std::string otherwiseTold(const FootprintCase& c, std::size_t i) {
+  const Vec2& end = c.footprint[(i + 1) % c.footprint.size()];
+  const Case one{{c.footprint[i], end}, c.disc.motion, c.disc.radius, c.horizon,
+                 c.disc.radius_rate,    c.twist};
+  const Truth truth = truthOf(one);
+  const FirstTouch touch = FootprintOracle(c).firstTouchOfSegment(i);
+  if (!truth.is_decided) return "";
+  const Quad until = touch.free_until;
+  const Quad from = touch.contact_at.value_or(2 * core::kMaxHorizon);
+  const Quad precision = 1e-9;
+  if (truth.contact ? until <= *truth.contact + precision && *truth.contact <= from + precision
+                    : !touch.contact_at)
+    return "";
+  const Quad least = trueGap(one, truth.contact ? *truth.contact : from);
+  return absolute(least) < Quad(1e-15) ? "" : "they differ\n" + asCode(one);
+}
+
+TEST(FootprintOracle, AgreesWithTheOraclesOfSegments) {
+  for (int kind = 0; kind < 8; ++kind) {
+    const Moves moves{(kind & 1) > 0, (kind & 2) > 0, (kind & 4) > 0, false};
+    forEachCase("oracles, " + std::to_string(kind), {200, 10000},
+                [&](Random& random) -> std::string {
+                  const FootprintCase c = random.chance(0.5) ? anyFootprintCase(random, moves)
+                                                             : grazingFootprint(random, moves);
+                  return otherwiseTold(c, random.next() % c.footprint.size());
                 });
   }
 }
