@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "footprint_generators.hpp"
 #include "footprint_oracle.hpp"
@@ -11,15 +12,19 @@
 namespace footprint_collision_predictor::test {
 namespace {
 
-constexpr Real kStep = 1e-5;  // [s]
+/// By a difference over `step` [s], up to shortly before the moment.
+Real shrinking(const FootprintOracle& oracle, Real t, Real step) {
+  return (oracle.gap(t - 2 * step) - oracle.gap(t - step)) / step;
+}
 
-/// By differences, up to the moment itself; nothing where the gap has a corner or bends much.
+/// Nothing where the gap has a corner or bends much.
 std::optional<double> shrinkingAt(const FootprintCase& c, Real t) {
   const FootprintOracle oracle(c);
-  const Real late = (oracle.gap(t - 2 * kStep) - oracle.gap(t - kStep)) / kStep;
-  const Real early = (oracle.gap(t - 3 * kStep) - oracle.gap(t - 2 * kStep)) / kStep;
-  if (std::abs(late - early) > 1e-3L) return std::nullopt;
-  return static_cast<double>(late);
+  const Real at_last = shrinking(oracle, t, 1e-8);
+  for (const Real step : {1e-7, 1e-6, 1e-5})
+    if (std::abs(shrinking(oracle, t, step) - at_last) > 1e-3L * (1 + std::abs(at_last)))
+      return std::nullopt;
+  return static_cast<double>(at_last);
 }
 
 TEST(ClosingSpeed, IsHowFastTheGapShrinks) {
@@ -31,10 +36,10 @@ TEST(ClosingSpeed, IsHowFastTheGapShrinks) {
     const FootprintCase c = anyFootprintCase(random, moves);
     const auto first = firstContact(core::Polygon(c.footprint), c.twist, obstacleOf(c), c.horizon);
     if (!first || first->contact.time < 1e-3) return "";
-    const std::optional<double> shrinking = shrinkingAt(c, first->contact.time);
-    if (!shrinking) return "";
+    const std::optional<double> speed = shrinkingAt(c, first->contact.time);
+    if (!speed) return "";
     ++seen;
-    const double expected = std::max(0.0, *shrinking - c.disc.radius_rate);
+    const double expected = std::max(0.0, *speed - c.disc.radius_rate);
     if (std::abs(first->closing_speed - expected) <= 5e-3 * (1 + expected)) return "";
     return std::to_string(first->closing_speed) + " m/s instead of " + std::to_string(expected) +
            "\n" + asCode(c);
