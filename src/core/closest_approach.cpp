@@ -85,11 +85,12 @@ void search(const Edge& edge, const Path& path, const Disc& disc, double horizon
   Search<Path>(local, path, disc, horizon).lower(closest);
 }
 
-/// A disc beside an edge of the footprint.
-void lowerByDisc(const Edge& edge, const Twist& twist, const Disc& disc, double horizon,
-                 ClosestApproach* closest) {
+/// A disc, or a vertex of an outline rounded by it, beside an edge of the footprint.
+/// \param vertex [m] relative to the disc's centre
+void lowerByDisc(const Edge& edge, const Twist& twist, const Disc& disc, const Vec2& vertex,
+                 double horizon, ClosestApproach* closest) {
   const Motion& m = disc.motion;
-  const Motion local{m.position - edge.start, m.velocity, m.acceleration};
+  const Motion local{(m.position - edge.start) + vertex, m.velocity, m.acceleration};
   const Twist at_start = atPoint(edge.start, twist);
   if (twist.angular == 0)
     search(edge, StraightPath(relativeMotion(local, at_start)), disc, horizon, closest);
@@ -101,7 +102,7 @@ void lowerByDisc(const Edge& edge, const Twist& twist, const Disc& disc, double 
 void lowerByVertex(const Vec2& vertex, const Twist& twist, const Edge& edge, const Disc& disc,
                    double horizon, ClosestApproach* closest) {
   const Motion& m = disc.motion;
-  const Motion seen_from{m.position + edge.start - vertex, m.velocity, m.acceleration};
+  const Motion seen_from{(m.position - vertex) + edge.start, m.velocity, m.acceleration};
   const PathOfTurningPoint path(seen_from, atPoint(vertex, twist));
   search(edge, path, disc, horizon, closest);
 }
@@ -112,15 +113,14 @@ void lower(const Polygon& footprint, const Twist& twist, const Shape& shape, dou
            ClosestApproach* closest) {
   for (std::size_t i = 0; i < footprint.size(); ++i) {
     const Edge& edge = footprint.segment(i);
-    if (shape.outline.size == 0) lowerByDisc(edge, twist, shape.disc, horizon, closest);
+    if (shape.outline.size == 0)
+      lowerByDisc(edge, twist, shape.disc, Vec2::Zero(), horizon, closest);
     for (const Edge& other : shape.outline) {
       lowerByVertex(edge.start, twist, other, shape.disc, horizon, closest);
-      Disc disc = shape.disc;
-      disc.motion.position += other.start;
-      lowerByDisc(edge, twist, disc, horizon, closest);
-      if (shape.outline.isClosed()) continue;  // the next edge starts where this one ends
-      disc.motion.position = shape.disc.motion.position + other.end;
-      lowerByDisc(edge, twist, disc, horizon, closest);
+      lowerByDisc(edge, twist, shape.disc, other.start, horizon, closest);
+      // The next edge of a polygon starts where this one ends.
+      if (!shape.outline.isClosed())
+        lowerByDisc(edge, twist, shape.disc, other.end, horizon, closest);
     }
   }
 }

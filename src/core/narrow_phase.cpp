@@ -15,6 +15,12 @@ void keepEarlier(const std::optional<Contact>& candidate, std::optional<Contact>
   if (candidate && (!*earliest || candidate->time < (*earliest)->time)) *earliest = candidate;
 }
 
+/// A point told from the start of the edge, in the edge's own frame; the ends exactly.
+Vec2 pointOf(const Edge& edge, Feature feature, const Vec2& from_start) {
+  if (feature == Feature::kStart) return edge.start;
+  return feature == Feature::kEnd ? edge.end : Vec2(edge.start + from_start);
+}
+
 /// Speed at which the gap shrinks at the contact [m/s], but for the radius' growth.
 double closingSpeed(const Polygon& footprint, const Twist& twist, const Shape& shape,
                     const FootprintContact& first, bool is_nested) {
@@ -29,7 +35,9 @@ double closingSpeed(const Polygon& footprint, const Twist& twist, const Shape& s
       Turn(twist.angular * contact.time).back(local.disc.motion.velocityAt(contact.time)) -
       at_contact.linear;
   const Disc point{relativeMotion(local.disc.motion, at_contact), 0, 0};
-  const double nothing = 2 * contactTolerance({{0, 0}, {0, 0}}, point, contact.time);
+  const double rounding = contactTolerance({{0, 0}, {0, 0}}, point, contact.time) +
+                          2 * kRoundingAllowance * footprint.boundingRadius();
+  const double nothing = 4 * rounding + (twist.angular != 0 ? 2 * kTurningTolerance : 0);
   const double distance = away.norm();
   if (distance > nothing)
     return std::max(0.0, velocity.dot(away) / (is_nested ? distance : -distance));
@@ -105,10 +113,15 @@ std::optional<Contact> NarrowPhase::contactWithOutline(const Edge& edge) const {
     const auto time = timeToTouchPoint(vertex, twist_, other, shape_.disc, horizon_);
     if (time) keepEarlier(Contact{*time, feature, vertex}, &earliest);
   };
+  // From the edge's start, so that nothing is lost far from the origin.
+  const Edge local(Segment{{0, 0}, edge.end - edge.start});
+  const Twist of_start = atPoint(edge.start, twist_);
   const auto touchVertex = [&](const Vec2& vertex) {
     Disc disc = shape_.disc;
-    disc.motion.position += vertex;
-    keepEarlier(timeToCollision(edge, twist_, disc, horizon_), &earliest);
+    disc.motion.position = (disc.motion.position - edge.start) + vertex;
+    auto contact = timeToCollision(local, of_start, disc, horizon_);
+    if (contact) contact->point = pointOf(edge, contact->feature, contact->point);
+    keepEarlier(contact, &earliest);
   };
   for (const Edge& other : shape_.outline) {
     touchOutline(edge.start, Feature::kStart, other);
