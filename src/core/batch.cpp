@@ -84,7 +84,10 @@ std::optional<NearestObstacle> nearestObstacle(const BatchQuery& q, double below
 }
 
 ClosestApproach closestApproach(const BatchQuery& q, double clearance) {
-  const auto& [footprint, twist, obstacles, horizon, set] = q;
+  const Polygon& footprint = q.footprint;
+  const Twist& twist = q.twist;
+  const ObstacleBatch& obstacles = q.obstacles;
+  const double horizon = q.horizon;
   ClosestApproach closest{clearance, 0};
   const auto ahead = [&] { return q.horizon; };
   const auto gap = [&] { return closest.distance; };
@@ -99,7 +102,10 @@ ClosestApproach closestApproach(const BatchQuery& q, double clearance) {
 }
 
 std::optional<FootprintContact> firstContact(const BatchQuery& q) {
-  const auto& [footprint, twist, obstacles, horizon, set] = q;
+  const Polygon& footprint = q.footprint;
+  const Twist& twist = q.twist;
+  const ObstacleBatch& obstacles = q.obstacles;
+  const double horizon = q.horizon;
   std::optional<NearestObstacle> now;  // of those that overlap the footprint
   std::optional<FirstTouch> later;
   std::size_t obstacle = 0;
@@ -127,7 +133,10 @@ std::optional<FootprintContact> firstContact(const BatchQuery& q) {
 }
 
 void firstContacts(const BatchQuery& q, std::vector<std::optional<SegmentContact>>* contacts) {
-  const auto& [footprint, twist, obstacles, horizon, set] = q;
+  const Polygon& footprint = q.footprint;
+  const Twist& twist = q.twist;
+  const ObstacleBatch& obstacles = q.obstacles;
+  const double horizon = q.horizon;
   contacts->assign(footprint.size(), std::nullopt);
   // Nothing later than the last of the first contacts is of interest.
   const auto until = [&] {

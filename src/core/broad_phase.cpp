@@ -94,8 +94,9 @@ template <bool kStraight>
 }
 
 template <bool kStraight>
-[[gnu::target("avx512f,avx512vl,avx512dq,prefer-vector-width=512")]] void markAvx512(
-    const Arrays& a, std::size_t count, const Question& q, std::int64_t* marks) {
+[[gnu::target("avx512f,avx512vl,avx512dq")]] void markAvx512(const Arrays& a, std::size_t count,
+                                                             const Question& q,
+                                                             std::int64_t* marks) {
   mark<kStraight>(a, count, q, marks);
 }
 #endif

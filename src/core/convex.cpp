@@ -10,8 +10,8 @@
 namespace footprint_collision_predictor::core {
 namespace {
 
-constexpr ConvexAnswer kUncertain{false, std::nullopt};
-constexpr ConvexAnswer kNever{true, std::nullopt};
+const ConvexAnswer kUncertain{false, std::nullopt};
+const ConvexAnswer kNever{true, std::nullopt};
 
 /// \param slack [m] within which an end is named
 ConvexAnswer touchAt(const Edge& edge, std::size_t i, double along, double t, double slack) {
