@@ -142,6 +142,13 @@ class Turning(RosTestCase):
                 self.assertAlmostEqual(prediction.twist.linear.y, 0, delta=1e-12)
                 self.check(warning, ALONG_ARC / RATE, 3, (1, 0), 1)
 
+    def test_velocities_as_seen_on_board(self):
+        """What stands still seems to go round the centre of rotation: at (2.5, 0) from there with
+        RATE times 2.5 m to the right."""
+        node = self.driving(obstacle_velocity='relative')
+        warning, _ = self.answer(node, [circle(7, (2.5, 2), (0, -1.25))], (1, 0), RATE)
+        self.check(warning, ALONG_ARC / RATE, 3, (1, 0), 1)
+
     def test_obstacles_that_move(self):
         """In the direction of the pillar, and there when it would be hit: after 1 s."""
         node = self.driving()
