@@ -46,11 +46,13 @@ class Search {
   Gap<EdgeBody, Path> gapAt(double t) const { return {edge_, path_, disc_, t}; }
 
   /// Follows a gap that shrinks down to where it stops, or to the horizon: Newton's method on its
-  /// slope, kept within a bracket. Where the gap has several minima, any of them will do; a slope
-  /// also vanishes where the gap is largest, which is no place to stop.
+  /// slope, kept within a bracket, and bisection where two steps do not make the next one half as
+  /// long (Press et al., "Numerical Recipes", 9.4). Where the gap has several minima, any of them
+  /// will do; a slope also vanishes where the gap is largest, which is no place to stop.
   void descend(double t, ClosestApproach* closest) const {
     constexpr int kMaxSteps = 60;
     double shrinks = t, grows = horizon_, next = horizon_;
+    double step = horizon_ - t, step_before = step;
     for (int i = 0; i < kMaxSteps; ++i) {
       const Gap<EdgeBody, Path> gap = gapAt(next);
       const bool falls = gap.slope() < 0 && gap.size() <= closest->distance;
@@ -59,9 +61,13 @@ class Search {
       (falls ? shrinks : grows) = next;
       const bool is_lowest = gap.size() <= closest->distance;
       if (i > 0 && is_lowest && std::abs(gap.slope()) * (grows - shrinks) < kResolution / 8) return;
-      next -= gap.slope() / gap.curvature();
-      const bool usable = gap.curvature() > 0 && next > shrinks && next < grows;  // false for NaN
-      if (!usable) next = 0.5 * (shrinks + grows);
+      double towards = next - gap.slope() / gap.curvature();
+      const bool usable = gap.curvature() > 0 && towards > shrinks && towards < grows &&  // no NaN
+                          std::abs(towards - next) <= 0.5 * step_before;
+      if (!usable) towards = 0.5 * (shrinks + grows);
+      step_before = step;
+      step = std::abs(towards - next);
+      next = towards;
     }
   }
 
