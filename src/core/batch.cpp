@@ -16,9 +16,7 @@ void forEachNear(const BatchQuery& q, const Horizon& horizon, const Gap& gap, co
   std::array<std::size_t, kBlock> candidates;
   const ObstacleBatch& obstacles = q.obstacles;
   const auto sweep = [&](double duration) {
-    return SweptFootprint(
-        q.footprint, q.twist, duration,
-        windowsFor(q.footprint, q.twist, duration, obstacles.largestAcceleration()));
+    return SweptFootprint(q.footprint, q.twist, duration, obstacles.largestAcceleration());
   };
   double swept_for = horizon();
   SweptFootprint swept = sweep(swept_for);
@@ -91,9 +89,7 @@ ClosestApproach closestApproach(const BatchQuery& q, double clearance) {
   ClosestApproach closest{clearance, 0};
   const auto ahead = [&] { return q.horizon; };
   const auto gap = [&] { return closest.distance; };
-  const SweptFootprint swept(
-      footprint, twist, horizon,
-      windowsFor(footprint, twist, horizon, obstacles.largestAcceleration()));
+  const SweptFootprint swept(footprint, twist, horizon, obstacles.largestAcceleration());
   forEachNear(q, ahead, gap, [&](std::size_t j) {
     if (mayComeWithin(gap(), swept, obstacles.disc(j), obstacles.bounding_radius[j]))
       lower(footprint, twist, shapeOf(obstacles, j), horizon, &closest);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "path.hpp"
 #include "rounding.hpp"
 
 namespace footprint_collision_predictor::core {
@@ -134,43 +135,27 @@ InstructionSet widestInstructionSet() {
   return widest;
 }
 
-std::size_t windowsFor(const Polygon& footprint, const Twist& twist, double horizon,
-                       double obstacle_acceleration) {
-  // As many as make the bulges some tenths of the footprint: more cost more than they save.
-  const double speed = atPoint(footprint.centroid(), twist).linear.norm();
-  const double bulge =
-      (std::abs(twist.angular) * speed + obstacle_acceleration) * horizon * horizon / 8;
-  const double most = 0.5 * footprint.boundingRadius();
-  std::size_t windows = 1;
-  while (windows < SweptFootprint::kMostWindows &&
-         bulge > most * static_cast<double>(windows * windows))
-    ++windows;
-  return windows;
-}
-
 SweptFootprint::SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon,
-                               std::size_t windows) {
-  centroid_ = footprint.centroid();
-  turns_ = twist.angular != 0;
+                               double obstacle_acceleration)
+    : centroid_(footprint.centroid()), count_(1), turns_(twist.angular != 0) {
   const Twist centroid = atPoint(centroid_, twist);
   const double speed = centroid.linear.norm();
   const double acceleration = std::abs(twist.angular) * speed;
   const double radius = footprint.boundingRadius();
-  count_ = windows;
+  // As many as make the bulges some tenths of the footprint: more cost more than they save.
+  const double bulge = (acceleration + obstacle_acceleration) * horizon * horizon / 8;
+  while (count_ < kMostWindows && bulge > 0.5 * radius * static_cast<double>(count_ * count_))
+    ++count_;
   const double duration = horizon / static_cast<double>(count_);
-  Vec2 centre(0, 0);
+  const double own_bulge = acceleration * duration * duration / 8;
+  const Turn turn(twist.angular * duration);
+  Vec2 centre(0, 0), velocity = turn.displacement(centroid.linear);
   for (std::size_t i = 0; i < count_; ++i) {
     const double start = static_cast<double>(i) * duration;
     const double rounding = kGenerous * (radius + (start + duration) * speed);
-    windows_[i] = {start, duration, centre, centroid.linear,
-                   radius + acceleration * duration * duration / 8 + rounding};
-    if (!turns_) {
-      centre += duration * centroid.linear;
-      continue;
-    }
-    const Vec2 next = displacement(centroid, start + duration);
-    if (duration > 0) windows_[i].velocity = (next - centre) / duration;
-    centre = next;
+    windows_[i] = {start, duration, centre, velocity, radius + own_bulge + rounding};
+    centre += duration * velocity;
+    velocity = turn(velocity);
   }
 }
 
@@ -241,8 +226,8 @@ bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc, do
     if (!may_touch) return false;
     if (bulge == 0) return true;
   }
-  const std::size_t windows = windowsFor(footprint, twist, horizon, m.acceleration.norm());
-  return mayComeWithin(0, SweptFootprint(footprint, twist, horizon, windows), disc, disc.radius);
+  const SweptFootprint swept(footprint, twist, horizon, m.acceleration.norm());
+  return mayComeWithin(0, swept, disc, disc.radius);
 }
 
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {

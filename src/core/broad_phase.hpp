@@ -30,8 +30,9 @@ class SweptFootprint {
  public:
   static constexpr std::size_t kMostWindows = 8;
 
-  /// \param windows into which the time is cut
-  SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon, std::size_t windows);
+  /// \param obstacle_acceleration [m/s^2] the largest of any obstacle it is held against
+  SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon,
+                 double obstacle_acceleration);
 
   /// [m] in the footprint's frame; everything else is relative to it, so that nothing is lost far
   /// from the frame's origin.
@@ -54,10 +55,6 @@ class SweptFootprint {
   std::size_t count_;
   bool turns_;
 };
-
-/// Into how many windows to cut the time, by the largest acceleration [m/s^2] of any obstacle.
-std::size_t windowsFor(const Polygon& footprint, const Twist& twist, double horizon,
-                       double obstacle_acceleration);
 
 constexpr std::size_t kBlock = 256;
 
