@@ -4,6 +4,7 @@
 #include <array>
 
 #include "closest_approach.hpp"
+#include "convex.hpp"
 #include "narrow_phase.hpp"
 
 namespace footprint_collision_predictor::core {
@@ -37,6 +38,15 @@ bool comesFirst(const Edge& edge, const ObstacleBatch& obstacles, const Contact&
                 std::size_t j, const SegmentContact& known) {
   if (contact.time != known.contact.time) return contact.time < known.contact.time;
   return gapNow(edge, shapeOf(obstacles, j)) < gapNow(edge, shapeOf(obstacles, known.obstacle));
+}
+
+/// Whether it is certain, and quickly told, that an obstacle touches no segment until a time.
+bool surelyStaysAway(const BatchQuery& q, const Shape& shape, double until) {
+  // What starts within the footprint may touch from there.
+  const bool may_be_within = mayComeWithin(0, q.footprint, shape.disc, shape.disc.radius);
+  if (shape.outline.size > 0 || may_be_within || !q.footprint.isConvex()) return false;
+  const ConvexAnswer answer = firstTouchOfConvex(q.footprint, q.twist, shape.disc, until);
+  return answer.is_certain && !answer.touch;
 }
 
 /// A touch of a vertex is one of both its segments, at the same time. Each has found it by itself,
@@ -144,6 +154,7 @@ void firstContacts(const BatchQuery& q, std::vector<std::optional<SegmentContact
   const auto gap = [] { return 0.0; };
   forEachNear(q, until, gap, [&](std::size_t j) {
     const Shape shape = shapeOf(obstacles, j);
+    if (surelyStaysAway(q, shape, until())) return;
     const NarrowPhase narrow(footprint, twist, shape, horizon);
     for (std::size_t i = 0; i < footprint.size(); ++i) {
       auto& known = (*contacts)[i];
