@@ -46,6 +46,8 @@ class SweptFootprint {
     Vec2 velocity;    ///< [m/s] along the chord
     double radius;    ///< [m] with what the path leaves the chord by, and for rounding
   };
+  /// [s]
+  double horizon() const { return horizon_; }
   const Window* begin() const { return windows_.data(); }
   const Window* end() const { return windows_.data() + count_; }
 
@@ -53,6 +55,7 @@ class SweptFootprint {
   Vec2 centroid_;
   std::array<Window, kMostWindows> windows_;
   std::size_t count_;
+  double horizon_;
   bool turns_;
 };
 
