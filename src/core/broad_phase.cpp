@@ -9,39 +9,43 @@
 namespace footprint_collision_predictor::core {
 namespace {
 
+/// An obstacle about the footprint's circle within a window: a point that moves straight, and how
+/// near [m] to the origin it touches. Plain numbers, several of which share a register.
+struct Chord {
+  double px, py, vx, vy, reach;
+};
+
 /// Square of a reach, for comparisons: nothing is within a negative one, which is that of a gap
 /// that only overlaps can have.
 [[gnu::always_inline]] inline double squared(double reach) { return reach * std::abs(reach); }
 
-/// Whether a point that moves straight comes within reach of the origin: where it is nearest.
-[[gnu::always_inline]] inline bool mayTouch(double px, double py, double vx, double vy,
-                                            double reach, double duration) {
-  const double nearest = -(px * vx + py * vy) / (vx * vx + vy * vy);
+/// By where the point is nearest.
+[[gnu::always_inline]] inline bool mayTouch(const Chord& c, double duration) {
+  const double nearest = -(c.px * c.vx + c.py * c.vy) / (c.vx * c.vx + c.vy * c.vy);
   const double from_now = nearest > 0 ? nearest : 0;  // also for NaN: it stands still
   const double t = from_now < duration ? from_now : duration;
-  const double x = px + t * vx, y = py + t * vy;
-  return x * x + y * y <= squared(reach);
+  const double x = c.px + t * c.vx, y = c.py + t * c.vy;
+  return x * x + y * y <= squared(c.reach);
 }
 
-/// The same without a division, by the sign of a quadratic: quicker for a single one. The reach may
+/// By the sign of a quadratic: without a division, which is quicker for a single one. The reach may
 /// grow at a rate [m/s].
 template <bool kGrows>
-[[gnu::always_inline]] inline bool mayTouchBySign(double px, double py, double vx, double vy,
-                                                  double reach, double rate, double duration) {
+[[gnu::always_inline]] inline bool mayTouchBySign(const Chord& c, double rate, double duration) {
   // |p + v t|^2 - (reach + rate t)^2 = f + 2 h t + m t^2, and its discriminant as a sum of squares
   // of cross products, which does not cancel far away.
-  const double p2 = px * px + py * py, v2 = vx * vx + vy * vy;
-  const double reach2 = reach * reach;
-  const double cross = px * vy - py * vx;
+  const double p2 = c.px * c.px + c.py * c.py, v2 = c.vx * c.vx + c.vy * c.vy;
+  const double reach2 = c.reach * c.reach;
+  const double cross = c.px * c.vy - c.py * c.vx;
   const double f = p2 - reach2;
-  double h = px * vx + py * vy;
+  double h = c.px * c.vx + c.py * c.vy;
   double m = v2, speeds = v2;
   double discriminant = reach2 * v2 - cross * cross;
   if constexpr (kGrows) {
-    h -= reach * rate;
+    h -= c.reach * rate;
     m -= rate * rate;
     speeds += rate * rate;
-    const double x = reach * vx - rate * px, y = reach * vy - rate * py;
+    const double x = c.reach * c.vx - rate * c.px, y = c.reach * c.vy - rate * c.py;
     discriminant = x * x + y * y - cross * cross;
   }
   const double at_end = f + duration * (2 * h + duration * m);
@@ -49,7 +53,12 @@ template <bool kGrows>
   const double rounding = size + kGenerous * duration * duration * speeds;
   const bool at_the_ends = (f <= rounding) | (at_end <= rounding);
   const bool between = (h <= 0) & (h + m * duration >= 0) & (discriminant >= -size * speeds);
-  return (at_the_ends | between) & (reach >= 0);
+  return (at_the_ends | between) & (c.reach >= 0);
+}
+
+[[gnu::always_inline]] inline bool mayTouchBySign(const Chord& c, double rate, double duration) {
+  return rate == 0 ? mayTouchBySign<false>(c, 0, duration)
+                   : mayTouchBySign<true>(c, rate, duration);
 }
 
 struct Arrays {
@@ -71,11 +80,6 @@ enum class Simple {
   kNothing,
 };
 
-/// Obstacle i about the footprint's circle in a window, as a point and a reach.
-struct Chord {
-  double px, py, vx, vy, reach;
-};
-
 [[gnu::always_inline]] inline Chord chordOf(const Arrays& a, std::size_t i, const Question& q) {
   const double t = q.window.start, duration = q.window.duration, middle = t + 0.5 * duration;
   const double bulge = 0.125 * duration * duration * (std::abs(a.ax[i]) + std::abs(a.ay[i]));
@@ -86,11 +90,6 @@ struct Chord {
           a.radius[i] + q.reach + a.radius_rate[i] * t + bulge};
 }
 
-template <bool kGrows>
-[[gnu::always_inline]] inline bool mayTouchBySign(const Chord& c, double rate, double duration) {
-  return mayTouchBySign<kGrows>(c.px, c.py, c.vx, c.vy, c.reach, rate, duration);
-}
-
 template <Simple kSimple>
 [[gnu::always_inline]] inline bool mayTouch(const Arrays& a, std::size_t i, const Question& q) {
   const double duration = q.window.duration;
@@ -98,12 +97,11 @@ template <Simple kSimple>
     const double x = a.x[i] - q.origin.x(), y = a.y[i] - q.origin.y();
     const double reach = a.radius[i] + q.reach;
     if constexpr (kSimple == Simple::kNow) return x * x + y * y <= squared(reach);
-    return mayTouch(x, y, a.vx[i] - q.window.velocity.x(), a.vy[i] - q.window.velocity.y(), reach,
-                    duration);
+    const Vec2& own = q.window.velocity;
+    return mayTouch({x, y, a.vx[i] - own.x(), a.vy[i] - own.y(), reach}, duration);
   }
   const Chord c = chordOf(a, i, q);
-  if constexpr (kSimple == Simple::kSteady)
-    return mayTouch(c.px, c.py, c.vx, c.vy, c.reach, duration);
+  if constexpr (kSimple == Simple::kSteady) return mayTouch(c, duration);
   return mayTouchBySign<true>(c, a.radius_rate[i], duration);
 }
 
@@ -258,8 +256,7 @@ bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc
   const auto may_touch = [&](const SweptFootprint::Window& window) {
     const Question question = questionOf(footprint, window, gap, farthest);
     const Chord chord = chordOf(one, 0, question);
-    return disc.radius_rate == 0 ? mayTouchBySign<false>(chord, 0, window.duration)
-                                 : mayTouchBySign<true>(chord, disc.radius_rate, window.duration);
+    return mayTouchBySign(chord, disc.radius_rate, window.duration);
   };
   return std::any_of(footprint.begin(), footprint.end(), may_touch);
 }
@@ -271,11 +268,8 @@ bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc, do
     const Vec2 v = m.velocity - twist.linear + 0.5 * horizon * m.acceleration;
     const double bulge = 0.125 * horizon * horizon * m.acceleration.lpNorm<1>();
     const double reach = disc.radius + footprint.boundingRadius() * (1 + kGenerous) + bulge;
-    const double rate = disc.radius_rate;
-    const bool may_touch =
-        rate == 0 ? mayTouchBySign<false>(p.x(), p.y(), v.x(), v.y(), reach, 0, horizon)
-                  : mayTouchBySign<true>(p.x(), p.y(), v.x(), v.y(), reach, rate, horizon);
-    if (!may_touch) return false;
+    const Chord chord{p.x(), p.y(), v.x(), v.y(), reach};
+    if (!mayTouchBySign(chord, disc.radius_rate, horizon)) return false;
     if (bulge == 0) return true;
   }
   const SweptFootprint swept(footprint, twist, horizon, m.acceleration.norm());

@@ -1,13 +1,15 @@
 // The broad phase: which obstacles may touch at all? Most cannot, and are thrown away by a bound
-// that is never wrong, without a branch or a division.
+// that is never wrong, without a branch.
 //
 // The footprint lies in a circle about its centroid, an obstacle in one about its position. Within
 // a window of time both move along their chords, but for a bulge of at most |acceleration| T^2 / 8.
-// Two circles that move along chords are a point and a growing disc: whether they touch within the
-// window is the sign of a quadratic. Long windows are cut where the bulges get large.
+// Two circles that move along chords are a point and a disc: what decides is how far apart they are
+// when they are nearest, or, when the disc grows, the sign of a quadratic. Long windows are cut
+// where the bulges get large.
 //
-// One loop over a structure of arrays, compiled for several instruction sets. All give the same
-// bits: no operation is reordered or contracted.
+// One loop over a structure of arrays, compiled for several instruction sets, in four versions that
+// leave out what no obstacle needs. All sets give the same bits: no operation is reordered or
+// contracted.
 #pragma once
 
 #include <array>
