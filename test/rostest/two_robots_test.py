@@ -42,11 +42,11 @@ class TwoRobots(RosTestCase):
                     for node in (self.first, self.second)]
         for closable in readers + pictures:
             self.addCleanup(closable.close)
-        # The first one's base has 2.5 m to go; the second one's trailer is run into at 1 m/s, over
-        # ground, from 1 m behind.
-        behind = circle(8, (-6.5, 20), (2, 0))
+        # The first one's base has 2.5 m to go at 1 m/s; the second one's trailer is run into from
+        # 2 m beside it at 2 m/s.
+        beside = circle(8, (-4, 23), (1, -2))
         first = self.send(self.first, 'r1', 0, [circle(7, (4, 0)), FAR])
-        second = self.send(self.second, 'r2', 20, [behind, FAR])
+        second = self.send(self.second, 'r2', 20, [beside, FAR])
         self.check(self.first, first, 2.5, infinity)
         self.check(self.second, second, infinity, 1)
         for picture, frames in zip(pictures, ({'r1/base_link', 'r1/trailer'},
