@@ -177,7 +177,7 @@ class AnalyzeBagResults(AnalysisTestCase):
         rows = bags.frames(self.output)
         self.assertEqual([row['bag'] for row in rows], [name for name in names for _ in range(31)])
         self.assertEqual(sorted(os.listdir(self.output)),
-                         ['events.csv', 'frames.csv', 'summary.json'])
+                         ['events.csv', 'frames.csv', 'report.html', 'reports', 'summary.json'])
 
     def test_parameters_of_a_file_and_options_that_win(self):
         bag = self.write('drive.bag', bags.approach(seconds=6))
