@@ -149,7 +149,7 @@ function ttcAxis(report) {
   const step = roundUp(horizon / 6);
   const limits = [0, critical, warn, horizon].filter((t, i, all) => !i || t > all[i - 1]);
   const rounds = [...Array(Math.ceil(horizon / step)).keys()].map((i) => i * step)
-    .filter((t) => limits.every((limit) => Math.abs(t - limit) > 0.09 * horizon));
+    .filter((t) => limits.every((limit) => Math.abs(t - limit) > 0.11 * horizon));
   const splits = [...rounds, ...limits].sort((a, b) => a - b);
   return {
     ...axisStyle(), size: AXIS_WIDTH,
@@ -274,11 +274,7 @@ function drawCells(u, report, cells) {
 function fillStripKey(list) {
   const entries = [['critical', 'within critical_time'], ['warn', 'within warn_time'],
                    ['later', 'later'], ['free', 'none'], ['unknown', 'unknown']];
-  list.replaceChildren(...entries.map(([look, words]) => {
-    const canvas = element('canvas');
-    requestAnimationFrame(() => drawCellSample(canvas, look));
-    return element('li', {}, canvas, words);
-  }));
+  fillSamples(list, entries, drawCellSample);
 }
 
 function drawCellSample(canvas, look) {

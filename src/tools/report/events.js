@@ -1,24 +1,30 @@
 // The table of approaches.
 
+const WARNED = 'Warned before';
 const HOW_ENDED = {clear: 'clear', unknown: 'unknown', recording_end: 'with the recording'};
 
 /** Columns: title, cell, and what class both have. */
-const EVENT_COLUMNS = [
+const EVENT_COLUMNS = [  // "optional" ones are left out where there is no room
   ['#', (event, i) => momentLink(event.worst, i + 1), ''],
   ['From', (event) => secondsText(event.begin), 'number'],
-  ['To', (event) => secondsText(event.end), 'number'],
+  ['To', (event) => secondsText(event.end), 'number optional'],
   ['Level', (event) => chip(event.level), ''],
   ['Smallest TTC', (event) => (event.contact ? 'contact' : secondsText(event.time_to_collision)), 'number'],
   ['at', (event) => secondsText(event.worst), 'number optional'],
-  ['Warned before', (event) => (event.contact ? secondsText(event.worst - event.begin) : '-'), 'number'],
-  ['Segment', (event) => (event.segment < 0 ? '-' : event.segment), 'number'],
+  [WARNED, (event) => (event.contact ? secondsText(event.worst - event.begin) : '-'), 'number'],
+  ['Segment', (event) => (event.segment < 0 ? '-' : event.segment), 'number optional'],
   ['Obstacle', (event) => obstacleText(event.obstacle_id, event.obstacle_index), 'number'],
   ['Clearance', (event) => metresText(event.closest_distance), 'number optional'],
   ['Ended', (event) => HOW_ENDED[event.ended], 'optional'],
 ];
 
-function eventRow(event, i, jump) {
-  const row = element('tr', {'data-event': i}, ...EVENT_COLUMNS.map(
+/** How long it was warned before a contact is of no interest without one. */
+function columnsFor(events) {
+  return EVENT_COLUMNS.filter(([title]) => title !== WARNED || events.some((event) => event.contact));
+}
+
+function eventRow(event, i, columns, jump) {
+  const row = element('tr', {'data-event': i}, ...columns.map(
     ([, cell, look]) => element('td', {class: look}, cell(event, i))));
   row.addEventListener('click', (click) => {
     click.preventDefault();
@@ -31,12 +37,14 @@ function fillEvents(report, jump) {
   const {events, bag} = report;
   const missing = bag.events - events.length;
   showText('events-note', events.length === 0 ? 'Nothing came nearer than warn_time.'
-    : 'Click one to see its worst moment. "Warned before" is how long before the contact the level was WARN or higher.' +
+    : 'Click one to see its worst moment.' + (events.some((event) => event.contact)
+      ? ` "${WARNED}" is how long before the contact the level was WARN or higher.` : '') +
       (missing > 0 ? ` The nearest ${events.length} of ${bag.events}; events.csv has them all.` : ''));
-  const head = element('tr', {}, ...EVENT_COLUMNS.map(([title, , look]) => element('th', {class: look}, title)));
+  const columns = columnsFor(events);
+  const head = element('tr', {}, ...columns.map(([title, , look]) => element('th', {class: look}, title)));
   byId('events').hidden = events.length === 0;
   byId('events').replaceChildren(element('thead', {}, head), element(
-    'tbody', {}, ...events.map((event, i) => eventRow(event, i, jump))));
+    'tbody', {}, ...events.map((event, i) => eventRow(event, i, columns, jump))));
 }
 
 /** Marks the row of the approach that t lies in. */

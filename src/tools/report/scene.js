@@ -315,12 +315,13 @@ function fillLegend(list) {
     ['unknown', 'cannot tell'], ['irrelevant', 'an obstacle that touches nothing first'],
     ['ghost', 'robot and obstacle at the moment of contact'], ['arrow', 'one second of motion'],
   ];
-  list.replaceChildren(...entries.map(([look, words]) => {
-    const canvas = element('canvas');
-    const item = element('li', {}, canvas, words);
-    requestAnimationFrame(() => drawSample(canvas, look));
-    return item;
-  }));
+  fillSamples(list, entries, drawSample);
+}
+
+/** A small picture, drawn once it is on the page, and words for each entry. */
+function fillSamples(list, entries, draw) {
+  list.replaceChildren(...entries.map(([, words]) => element('li', {}, element('canvas'), words)));
+  entries.forEach(([look], i) => draw(list.children[i].firstChild, look));
 }
 
 function drawSample(canvas, look) {
