@@ -4,15 +4,19 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "frame_json.hpp"
 
 namespace footprint_collision_predictor::tools {
 namespace {
 
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
 constexpr double kAround = 3;           // [s] before and after what is near
 constexpr double kFinestStep = 0.125;   // [s]
 constexpr double kCoarsestAlone = 2;    // [s] beyond which what is near is thinned as well
+constexpr double kCoarsestFar = 64;     // [s] beyond which all are thinned alike
 constexpr double kDetail = 32;          // times as many frames around what is near
 constexpr std::size_t kOverhead = 100;  // [bytes] of a frame beside its text
 
@@ -29,17 +33,20 @@ Steps stepsAfter(int thinnings) {
 
 }  // namespace
 
+bool Film::isNearer(const Frame& a, const Frame& b) {
+  return std::tie(a.time_to_collision, a.clearance) < std::tie(b.time_to_collision, b.clearance);
+}
+
 std::size_t Film::costOf(const Frame& frame) { return frame.json.size() + kOverhead; }
 
 void Film::take(const Evaluation& evaluation) {
   levels_.take(evaluation);
   const CollisionWarning& w = evaluation.answer.warning;
-  const double time =
-      w.collision_predicted != 0 ? w.time_to_collision : std::numeric_limits<double>::infinity();
+  const double time = w.collision_predicted != 0 ? w.time_to_collision : kFar;
   const bool near = w.level == CollisionWarning::WARN || w.level == CollisionWarning::CRITICAL ||
                     time <= warn_time_;
-  frames_.push_back({evaluation.elapsed, time, w.level == CollisionWarning::UNKNOWN, near,
-                     frameJson(evaluation)});
+  frames_.push_back({evaluation.elapsed, time, std::fmin(w.clearance, kFar),
+                     w.level == CollisionWarning::UNKNOWN, near, frameJson(evaluation)});
   bytes_ += costOf(frames_.back());
   if (bytes_ <= budget_) return;
   if (thinnings_ > 0) thin();  // what has come since the last time
@@ -56,7 +63,7 @@ void Film::forEach(const std::function<void(const std::string&)>& use) const {
 /// Which frames are near, or little before or after one that is.
 std::vector<bool> Film::aroundNear() const {
   std::vector<bool> around(frames_.size());
-  double last = -std::numeric_limits<double>::infinity();
+  double last = -kFar;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     if (frames_[i].is_near) last = frames_[i].elapsed;
     around[i] = frames_[i].elapsed - last <= kAround;
@@ -72,7 +79,8 @@ std::vector<bool> Film::aroundNear() const {
 /// Of each slot of time the nearest of the known frames, and the nearest of the others.
 void Film::thin() {
   const Steps steps = stepsAfter(thinnings_);
-  const std::vector<bool> detailed = aroundNear();
+  const std::vector<bool> detailed =
+      steps.far > kCoarsestFar ? std::vector<bool>(frames_.size(), true) : aroundNear();
   std::vector<Frame> kept;
   std::optional<std::pair<bool, double>> slot;
   std::optional<std::size_t> of_slot[2];  // places in `kept`, by is_unknown
@@ -87,7 +95,7 @@ void Film::thin() {
     if (!place) {
       place = kept.size();
       kept.push_back(std::move(frame));
-    } else if (frame.time_to_collision < kept[*place].time_to_collision) {
+    } else if (isNearer(frame, kept[*place])) {
       kept[*place] = std::move(frame);
     }
   }

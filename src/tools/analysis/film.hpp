@@ -12,8 +12,9 @@ namespace footprint_collision_predictor::tools {
 
 /// Keeps evaluations within a budget of memory, whatever the length of the recording. When it is
 /// used up they are thinned: those far from anything near first, down to one in two seconds, then
-/// all. Of those that make room the nearest to a contact stays, and the first of UNKNOWN ones, so
-/// the worst moment of a recording is always there. The same recording gives the same film.
+/// all. Of those of one slot of time the nearest to a contact stays, else the one with the
+/// smallest clearance, and so of the UNKNOWN ones: the worst moment of a recording is always there.
+/// The same recording gives the same film.
 class Film {
  public:
   /// \param warn_time [s] at or below which a time to collision is near
@@ -36,11 +37,13 @@ class Film {
   struct Frame {
     double elapsed;            // [s]
     double time_to_collision;  // [s] infinite where none is certain
+    double clearance;          // [m] infinite where it is not known
     bool is_unknown;
     bool is_near;
     std::string json;
   };
 
+  static bool isNearer(const Frame& a, const Frame& b);
   static std::size_t costOf(const Frame& frame);  // [bytes]
   void thin();
   std::vector<bool> aroundNear() const;

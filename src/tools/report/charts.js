@@ -3,6 +3,7 @@
 
 const AXIS_WIDTH = 62;
 const CHART_HEIGHT = 240;
+const ZOOMED = 20;  // [s] that are seen at once
 const NONE_LANE = 1.13;  // where "none" is drawn, as a multiple of the horizon
 
 const axisStyle = () => ({
@@ -50,10 +51,27 @@ class Charts {
     new ResizeObserver(() => this.fit()).observe(byId('ttc'));
   }
 
-  /** Where the page is now. */
+  /** Where the page is now; a zoomed chart goes along. */
   show(t) {
     this.t = t;
+    const {min, max} = this.charts[0].scales.x;
+    if (t < min - 1e-6 || t > max + 1e-6) this.look(t, max - min);
     for (const u of this.charts) this.placeNow(u);
+  }
+
+  /** So many seconds around t. */
+  look(t, seconds) {
+    const [begin, end] = timeRange(this.report);
+    const min = Math.max(begin, Math.min(t - seconds / 2, end - seconds));
+    this.charts[0].setScale('x', {min, max: Math.min(end, min + seconds)});
+  }
+
+  /** Near to this moment, or back to the whole. */
+  toggleZoom() {
+    const [begin, end] = timeRange(this.report);
+    const {min, max} = this.charts[0].scales.x;
+    const zoomed = max - min < 0.99 * (end - begin);
+    this.look(this.t, zoomed ? end - begin : Math.min(ZOOMED, (end - begin) / 2));
   }
 
   fit(width = byId('ttc').clientWidth) {
@@ -242,12 +260,13 @@ function stripAxis(rows, rowHeight) {
 function cellRuns(report, rows) {
   const runs = [];
   for (let row = 0; row < rows; ++row) {
-    let open = null;
+    let open = {row, look: 'unknown', begin: 0, end: report.frames[0].t};
+    runs.push(open);
     report.frames.forEach((frame, i) => {
       const end = i + 1 < report.frames.length ? report.frames[i + 1].t : timeRange(report)[1];
       const ttc = frame.scene ? frame.scene.segments[row] : NaN;
       const look = lookOf(ttc, report.parameters, ttc === Infinity ? 'free' : 'unknown');
-      if (open && open.look === look) open.end = end;
+      if (open.look === look) open.end = end;
       else runs.push(open = {row, look, begin: frame.t, end});
     });
   }

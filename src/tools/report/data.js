@@ -63,6 +63,22 @@ function frameAt(frames, t) {
   return Math.max(0, low - 1);
 }
 
+/** The frame with the smallest clearance; undefined where none is known. */
+function nearestFrame(frames) {
+  const known = frames.filter((frame) => Number.isFinite(frame.clearance));
+  return known.reduce((best, frame) => (frame.clearance < best.clearance ? frame : best), known[0]);
+}
+
+/** When [s] it was nearest to a contact; without one, where nothing was known if that is the
+    verdict, else when it was nearest to anything. */
+function worstMoment(report) {
+  const {smallest_time_to_collision: worst, state} = report.bag;
+  if (worst) return worst.elapsed;
+  const unknown = report.frames.find((frame) => isUnknown(report, frame));
+  if (state === 'unknown' && unknown) return unknown.t;
+  return (nearestFrame(report.frames) || report.frames[0]).t;
+}
+
 /** Names of the reasons in a mask. */
 function reasonNames(report, mask) {
   return Object.entries(report.reason_names)

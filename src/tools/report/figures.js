@@ -27,8 +27,10 @@ function fillHeader(report) {
   byId('bag').textContent = bag.bag;
   byId('all-bags').hidden = !report.several;
   byId('verdict').replaceChildren(chip(verdictLevel(bag, report.parameters), sentence(report.verdict)));
-  showText('partial', bag.partial && `Partial: only ${secondsText(report.seconds)} of ` +
-    `${secondsText(report.window_seconds)} were analysed. What follows says nothing of the rest.`);
+  showText('partial', bag.partial && (bag.evaluations
+    ? `Partial: only ${secondsText(report.seconds)} of ${secondsText(report.window_seconds)} were ` +
+      'analysed. What follows says nothing of the rest.'
+    : 'Partial: interrupted before its begin, nothing was analysed.'));
   showText('limit', bag.limit_broken &&
     `Limit broken: a time to collision is under ${report.fail_under} s.`);
   showText('problem', bag.problem);
@@ -48,18 +50,22 @@ function ttcFigure(bag) {
                 element('span', {}, 'at ', momentLink(worst.elapsed), `, segment ${worst.segment}, obstacle ${who}`));
 }
 
-function clearanceFigure(bag) {
-  const inside = bag.smallest_clearance < 0;
-  return figure('Smallest clearance', metresText(bag.smallest_clearance),
-                inside ? 'below 0: so deep inside each other'
-                       : 'gap between the footprint and any obstacle');
+function clearanceFigure(report) {
+  const smallest = report.bag.smallest_clearance;
+  const frame = nearestFrame(report.frames);
+  const words = smallest < 0 ? 'below 0: so deep inside each other' : 'from the footprint to an obstacle';
+  if (!frame || smallest === null)
+    return figure('Smallest clearance', report.bag.state === 'unknown' ? 'unknown' : 'none', 'no obstacle was seen');
+  return figure('Smallest clearance', metresText(smallest),
+                element('span', {}, 'at ', momentLink(frame.t), `, ${words}`));
 }
 
 function approachFigure(report) {
   const {bag} = report;
-  return figure('Approaches', bag.events,
-                bag.events_with_contact ? `${bag.events_with_contact} with contact`
-                                        : 'none of them with contact');
+  const some = bag.events_with_contact ? `${bag.events_with_contact} with contact`
+                                       : 'none of them with contact';
+  return figure('Approaches', bag.events, bag.events ? some : 'nothing came nearer than warn_time',
+                ...(bag.unknown_percent > 0.05 ? ['as far as it could be told'] : []));
 }
 
 function dataFigure(bag) {
@@ -95,7 +101,7 @@ function levelsFigure(report) {
 function fillFigures(report) {
   const {bag} = report;
   if (!bag.evaluations) return;
-  byId('figures').replaceChildren(ttcFigure(bag), clearanceFigure(bag), approachFigure(report),
+  byId('figures').replaceChildren(ttcFigure(bag), clearanceFigure(report), approachFigure(report),
                                   dataFigure(bag), levelsFigure(report));
 }
 
@@ -104,10 +110,10 @@ function fillQuality(report) {
   const reasons = report.bag.reasons || [];
   byId('quality').hidden = reasons.length === 0;
   const head = element('tr', {}, element('th', {}, 'Reason'),
-                       element('th', {class: 'number'}, 'Evaluations'),
+                       element('th', {class: 'number optional'}, 'Evaluations'),
                        element('th', {class: 'number'}, 'Share'), element('th', {}, 'First of them'));
   const rows = reasons.map((r) => element(
-    'tr', {}, element('td', {}, r.reason), element('td', {class: 'number'}, r.evaluations),
+    'tr', {}, element('td', {}, r.reason), element('td', {class: 'number optional'}, r.evaluations),
     element('td', {class: 'number'}, percentText(r.percent)),
     element('td', {class: 'words'}, r.first_message)));
   byId('reasons').replaceChildren(element('thead', {}, head), element('tbody', {}, ...rows));

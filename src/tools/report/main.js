@@ -24,13 +24,9 @@ class Page {
     this.open();
   }
 
-  /** At the address's moment, else the worst, else where it is not known, else the begin. */
+  /** At the address's moment, else the worst. */
   open() {
-    const asked = momentOfAddress();
-    const worst = this.report.bag.smallest_time_to_collision;
-    const unknown = this.report.bag.state === 'unknown' &&
-      this.report.frames.find((frame) => isUnknown(this.report, frame));
-    this.player.seek(asked ?? (worst ? worst.elapsed : unknown ? unknown.t : 0));
+    this.player.seek(momentOfAddress() ?? worstMoment(this.report));
   }
 
   show(frame, t) {
@@ -60,11 +56,6 @@ class Page {
     if (moment !== undefined) this.player.jump(moment);
   }
 
-  goToWorst() {
-    const worst = this.report.bag.smallest_time_to_collision;
-    if (worst) this.player.jump(worst.elapsed);
-  }
-
   redraw() {
     this.scene.draw(this.frame);
     this.charts.redraw();
@@ -77,11 +68,11 @@ class Page {
     const clicks = {
       'play': () => player.toggle(), 'back': () => player.step(-1), 'forward': () => player.step(1),
       'previous-event': () => this.goToEvent(-1), 'next-event': () => this.goToEvent(1),
-      'worst': () => this.goToWorst(),
+      'worst': () => player.jump(worstMoment(this.report)),
+      'zoom': () => this.charts.toggleZoom(),
       'nearer': () => this.scene.zoom(1.25), 'farther': () => this.scene.zoom(0.8),
     };
     for (const [id, action] of Object.entries(clicks)) byId(id).addEventListener('click', action);
-    byId('worst').disabled = !this.report.bag.smallest_time_to_collision;
     byId('scrub').addEventListener('input', () => player.jump(Number(byId('scrub').value)));
     byId('speed').addEventListener('change', () => { player.speed = Number(byId('speed').value); });
     document.addEventListener('keydown', (event) => this.key(event));
@@ -113,7 +104,8 @@ class Page {
       'ArrowLeft': () => (second ? player.jump(player.t - 1) : player.step(-1)),
       'ArrowRight': () => (second ? player.jump(player.t + 1) : player.step(1)),
       'Home': () => player.jump(0), 'End': () => player.jump(player.end),
-      'p': () => this.goToEvent(-1), 'n': () => this.goToEvent(1), 'w': () => this.goToWorst(),
+      'p': () => this.goToEvent(-1), 'n': () => this.goToEvent(1), 'w': () => player.jump(worstMoment(this.report)),
+      'z': () => this.charts.toggleZoom(),
       '+': () => this.scene.zoom(1.25), '-': () => this.scene.zoom(0.8),
     };
     const button = event.target.closest('button, summary, a');

@@ -33,7 +33,7 @@ function viewRadius(report) {
     const ghost = Math.hypot(...pose.position) + body;
     return touched ? Math.max(ghost, Math.hypot(...touched.position) + touched.radius) : ghost;
   });
-  const others = scenes.map((frame) => Math.min(10 * body, ...frame.scene.obstacles.map(
+  const others = scenes.map((frame) => Math.min(6 * body, ...frame.scene.obstacles.map(
     (o) => Math.hypot(...o.position) + o.radius)));
   const wanted = distances.length ? mostlyWithin(distances) : mostlyWithin([4 * body, ...others]);
   return 1.1 * Math.min(40 * body, Math.max(2.5 * body, wanted));
