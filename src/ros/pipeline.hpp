@@ -53,6 +53,9 @@ class Pipeline {
   void process(const Moment& now);
   bool isWaiting() const { return !queue_.empty(); }
 
+  /// Of the last good obstacles message: within Publish, what its prediction was made of.
+  const std::optional<Scene>& scene() const { return scene_; }
+
   /// The warning as of now, between messages: robot and obstacles are carried on from their stamp.
   CollisionWarning repeat(const Moment& now);
 

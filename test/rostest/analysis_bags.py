@@ -26,7 +26,7 @@ def command(*arguments):
 def analyze(*arguments, **options):
     """Runs it to its end; stdout, stderr and returncode are in the result."""
     return subprocess.run(command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=120, **options)
+                          universal_newlines=True, errors='replace', timeout=120, **options)
 
 
 def obstacles(t, circles=(), frame='base_link'):

@@ -171,13 +171,20 @@ class AnalyzeBagResults(AnalysisTestCase):
             result = self.analyzed(*names, *bags.STATIC, '--jobs', jobs)
             self.assertEqual(result.returncode, 0, result.stderr)
             outputs.append([result.stdout] + [self.contents(name) for name in
-                                              ('frames.csv', 'events.csv', 'summary.json')])
+                                              ('frames.csv', 'events.csv', 'summary.json',
+                                               'report.html', 'reports/0005_4.html')])
         self.assertEqual(outputs[1], outputs[0])
         self.assertEqual(outputs[2], outputs[0])
         rows = bags.frames(self.output)
         self.assertEqual([row['bag'] for row in rows], [name for name in names for _ in range(31)])
         self.assertEqual(sorted(os.listdir(self.output)),
-                         ['events.csv', 'frames.csv', 'summary.json'])
+                         ['events.csv', 'frames.csv', 'report.html', 'reports', 'summary.json'])
+
+    def test_report_left_out(self):
+        bag = self.write('drive.bag', bags.approach())
+        result = self.analyzed(bag, *bags.STATIC, '--no-report')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(sorted(os.listdir(self.output)), ['events.csv', 'frames.csv', 'summary.json'])
 
     def test_parameters_of_a_file_and_options_that_win(self):
         bag = self.write('drive.bag', bags.approach(seconds=6))

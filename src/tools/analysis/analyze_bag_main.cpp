@@ -13,6 +13,7 @@
 #include "interruption.hpp"
 #include "node_parameters.hpp"
 #include "outcome.hpp"
+#include "report_page.hpp"
 #include "summary.hpp"
 #include "yaml_parameters.hpp"
 
@@ -46,7 +47,11 @@ void write(const std::vector<BagReport>& reports, const Options& options,
   for (const BagReport& report : reports)
     for (const Event& event : report.events) events += eventsRow(event, report.bag) + "\n";
   output.write("events.csv", events);
-  output.write("summary.json", summaryJson(reports, options, parameters).dump(1) + "\n");
+  output.write("summary.json", jsonText(summaryJson(reports, options, parameters), 1) + "\n");
+  if (options.no_report) return;
+  output.finishPages();
+  if (reports.size() > 1)
+    output.write("report.html", [&](std::ostream& out) { writeReportList(reports, options, out); });
 }
 
 int plan(const Options& options, const Parameters& parameters, const BagAnalysis& analysis) {

@@ -4,6 +4,7 @@
 #include "analysis_status.hpp"
 #include "bag_problem.hpp"
 #include "interruption.hpp"
+#include "report_page.hpp"
 
 namespace footprint_collision_predictor::tools {
 namespace {
@@ -15,14 +16,20 @@ double seconds(const Window& window) { return (window.end - window.begin).toSec(
 BagReport BagAnalysis::analyze(std::size_t index, OutputFolder* output, Progress& progress) const {
   BagReport report;
   report.bag = options_.bags.at(index);
+  std::optional<Film> film;
+  if (output != nullptr && !options_.no_report) film.emplace(parameters_.thresholds.warn_time);
   try {
-    run(index, output, progress, report);
+    run(index, output, film ? &*film : nullptr, progress, report);
     progress.set(index, 1);
   } catch (const BagProblem& problem) {
     report.status = problem.status();
     report.problem = problem.what();
     report.partial = report.statistics.evaluations() > 0;
   }
+  if (film)
+    output->writePage(index, pageName(options_, index), [&](std::ostream& out) {
+      writeReport(report, *film, options_, parameters_, out);
+    });
   return report;
 }
 
@@ -40,7 +47,7 @@ BagReport BagAnalysis::look(std::size_t index) const {
   return report;
 }
 
-void BagAnalysis::run(std::size_t index, OutputFolder* output, Progress& progress,
+void BagAnalysis::run(std::size_t index, OutputFolder* output, Film* film, Progress& progress,
                       BagReport& report) const {
   if (isInterrupted()) {
     report.partial = true;
@@ -54,6 +61,7 @@ void BagAnalysis::run(std::size_t index, OutputFolder* output, Progress& progres
     report.statistics.take(evaluation);
     events.take(evaluation);
     if (output != nullptr) output->rows(index).take(evaluation);
+    if (film != nullptr) film->take(evaluation);
   };
   Replay replay(parameters_, report.topics.names, report.window, take);
   ros::Time reached = report.window.begin;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "event.hpp"
+#include "film.hpp"
 #include "options.hpp"
 #include "output_folder.hpp"
 #include "parameters.hpp"
@@ -41,7 +42,8 @@ class BagAnalysis {
   BagReport look(std::size_t index) const;
 
  private:
-  void run(std::size_t index, OutputFolder* output, Progress& progress, BagReport& report) const;
+  void run(std::size_t index, OutputFolder* output, Film* film, Progress& progress,
+           BagReport& report) const;
   Window windowOf(const Window& span, const std::string& bag) const;
 
   const Options& options_;

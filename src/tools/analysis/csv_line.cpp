@@ -6,7 +6,6 @@
 #include <cstdio>
 
 namespace footprint_collision_predictor::tools {
-namespace {
 
 std::string digits(double value) {
   if (std::isnan(value)) return "nan";
@@ -20,8 +19,6 @@ std::string digits(double value) {
           static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.17g", value))};
 #endif
 }
-
-}  // namespace
 
 CsvLine& CsvLine::add(double value) {
   separate();

@@ -8,6 +8,9 @@
 
 namespace footprint_collision_predictor::tools {
 
+/// The shortest text from which the same number is read again; "inf", "-inf" and "nan".
+std::string digits(double value);
+
 /// Numbers are written so that reading them gives the same number again; "inf", "-inf" and "nan"
 /// are what pandas and PlotJuggler understand.
 class CsvLine {

@@ -12,6 +12,15 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+Event begun(const Evaluation& evaluation) {
+  const ros::Time& stamp = evaluation.answer.warning.header.stamp;
+  return {evaluation.elapsed,     evaluation.elapsed,   stamp, stamp,
+          CollisionWarning::WARN, momentOf(evaluation), kNaN,  false,
+          EventEnd::kRecording};
+}
+
+}  // namespace
+
 const char* wordFor(EventEnd end) {
   switch (end) {
     case EventEnd::kClear:
@@ -22,15 +31,6 @@ const char* wordFor(EventEnd end) {
       return "recording_end";
   }
 }
-
-Event begun(const Evaluation& evaluation) {
-  const ros::Time& stamp = evaluation.answer.warning.header.stamp;
-  return {evaluation.elapsed,     evaluation.elapsed,   stamp, stamp,
-          CollisionWarning::WARN, momentOf(evaluation), kNaN,  false,
-          EventEnd::kRecording};
-}
-
-}  // namespace
 
 WorstMoment momentOf(const Evaluation& evaluation) {
   const CollisionWarning& w = evaluation.answer.warning;

@@ -12,6 +12,9 @@ namespace footprint_collision_predictor::tools {
 /// How an approach ended.
 enum class EventEnd { kClear, kUnknown, kRecording };
 
+/// "clear", "unknown" or "recording_end"
+const char* wordFor(EventEnd end);
+
 /// The moment of an approach with the smallest time to collision, the first of several.
 struct WorstMoment {
   double elapsed;  ///< [s] since the window's begin

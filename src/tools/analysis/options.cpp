@@ -75,7 +75,9 @@ void addParameters(CLI::App& app, Options& options, Changes& changes) {
 
 void addOutputs(CLI::App& app, Options& options) {
   app.add_option("-o,--output", options.output,
-                 "folder for frames.csv, events.csv and summary.json (default: write nothing)");
+                 "folder for report.html, frames.csv, events.csv and summary.json (default: write "
+                 "nothing)");
+  app.add_flag("--no-report", options.no_report, "with -o: leave out report.html");
   app.add_option("--fail-under", options.fail_under,
                  "exit status 1 when a time to collision is under this [s]")
       ->check(CLI::Range(0.0, kLongest));

@@ -25,6 +25,7 @@ struct Options {
   XmlRpc::XmlRpcValue changes;  ///< the node's parameters that have options of their own; these win
 
   std::string output;                ///< folder; empty: nothing is written
+  bool no_report = false;            ///< report.html is left out
   std::optional<double> fail_under;  ///< [s]
   double max_unknown = 5;            ///< [%]
   unsigned jobs = 1;

@@ -5,20 +5,22 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <functional>
 
 #include "frames_csv.hpp"
 
 namespace footprint_collision_predictor::tools {
 namespace {
 
-void writeFile(const std::string& path, const std::function<void(std::ostream&)>& content) {
-  PartialFile file(path);
-  std::ofstream out(file.partialPath(), std::ios::binary);
+using Content = std::function<void(std::ostream&)>;
+
+/// Complete, but not yet under its name.
+std::unique_ptr<PartialFile> written(const std::string& path, const Content& content) {
+  auto file = std::make_unique<PartialFile>(path);
+  std::ofstream out(file->partialPath(), std::ios::binary);
   content(out);
   out.close();
   if (!out) throw WriteError("cannot write " + path + ": writing failed (is the disk full?)");
-  file.finish();
+  return file;
 }
 
 void copyRows(const std::string& from, std::size_t segments, const std::string& bag,
@@ -47,7 +49,18 @@ void RowsFile::finish() {
   if (!out_) throw WriteError("cannot write " + path_ + ": writing failed (is the disk full?)");
 }
 
-OutputFolder::OutputFolder(const std::string& path, std::size_t bags) : path_(path) {
+void LateFile::write(const std::string& path, const Content& content) try {
+  file_ = written(path, content);
+} catch (const WriteError& error) {
+  problem_ = error.what();
+}
+
+void LateFile::finish() {
+  if (!problem_.empty()) throw WriteError(problem_);
+  if (file_) file_->finish();
+}
+
+OutputFolder::OutputFolder(const std::string& path, std::size_t bags) : path_(path), pages_(bags) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) throw WriteError("cannot make the folder " + path + ": " + error.message());
@@ -62,15 +75,30 @@ void OutputFolder::writeFrames(const std::vector<std::string>& bags) {
     rows->finish();
     segments = std::max(segments, rows->segments());
   }
-  writeFile(path_ + "/frames.csv", [&](std::ostream& out) {
+  write("frames.csv", [&](std::ostream& out) {
     out << framesHeader(segments) << '\n';
     for (std::size_t i = 0; i < rows_.size(); ++i)
       copyRows(rows_[i]->path(), segments, bags.at(i), out);
   });
 }
 
+void OutputFolder::writePage(std::size_t bag, const std::string& name, const Content& content) {
+  std::error_code ignored;  // writing fails then, and says so
+  std::filesystem::create_directories(std::filesystem::path(path_ + "/" + name).parent_path(),
+                                      ignored);
+  pages_.at(bag).write(path_ + "/" + name, content);
+}
+
+void OutputFolder::finishPages() {
+  for (LateFile& page : pages_) page.finish();
+}
+
+void OutputFolder::write(const std::string& name, const Content& content) const {
+  written(path_ + "/" + name, content)->finish();
+}
+
 void OutputFolder::write(const std::string& name, const std::string& text) const {
-  writeFile(path_ + "/" + name, [&](std::ostream& out) { out << text; });
+  write(name, [&](std::ostream& out) { out << text; });
 }
 
 }  // namespace footprint_collision_predictor::tools

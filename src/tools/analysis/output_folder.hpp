@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,6 +36,19 @@ class RowsFile {
   std::size_t segments_ = 0;
 };
 
+/// A file that is written at once when its content is there, by any thread, and appears with the
+/// others at the end. Writing fails late: finish() tells.
+class LateFile {
+ public:
+  void write(const std::string& path, const std::function<void(std::ostream&)>& content);
+  /// \throws WriteError when it could not be written
+  void finish();
+
+ private:
+  std::unique_ptr<PartialFile> file_;
+  std::string problem_;
+};
+
 /// Results appear under their names only when they are complete; what was there before stays until
 /// then.
 class OutputFolder {
@@ -46,11 +60,18 @@ class OutputFolder {
 
   /// Joins the rows of all bags to frames.csv. \throws WriteError
   void writeFrames(const std::vector<std::string>& bags);
+  /// The page of one bag, which is kept back until finishPages().
+  void writePage(std::size_t bag, const std::string& name,
+                 const std::function<void(std::ostream&)>& content);
   /// \throws WriteError
+  void finishPages();
+  /// \throws WriteError
+  void write(const std::string& name, const std::function<void(std::ostream&)>& content) const;
   void write(const std::string& name, const std::string& text) const;
 
  private:
   std::string path_;
+  std::vector<LateFile> pages_;                  // likewise
   std::vector<std::unique_ptr<RowsFile>> rows_;  // by the place of the bag on the command line
 };
 

@@ -117,7 +117,9 @@ void Replay::sayNothingCame(const ros::Time& when) {
 
 void Replay::publish(const Answer& answer, bool silence) {
   const ros::Time when = timeAt(answer.now.steady);
-  take_({(when - window_.begin).toSec(), silence, answer});
+  const auto& scene = pipeline_.scene();
+  take_({(when - window_.begin).toSec(), silence, answer,
+         answer.prediction && scene ? &*scene : nullptr});
   silent_at_ = when + silence_;
 }
 

@@ -18,6 +18,7 @@ struct Evaluation {
   double elapsed;  ///< [s] since the window's begin, by the time of recording
   bool silence;    ///< not for an obstacles message: that none came is what it is about
   Answer answer;
+  const Scene* scene = nullptr;  ///< what the answer's prediction was made of; null without one
 };
 
 /// Place of the obstacle that is touched first in its message; -1: none, or not known.

@@ -13,30 +13,6 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json idOrNull(std::int64_t value) { return value < 0 ? Json(nullptr) : Json(value); }
 
-Json jsonOf(const Parameters& p) {
-  Json json;
-  json["footprint"] = nullptr;
-  if (p.footprint) {
-    json["footprint"] = Json::array();
-    for (const auto& vertex : p.footprint->vertices())
-      json["footprint"].push_back({vertex.x(), vertex.y()});
-  }
-  json["base_frame"] = p.base_frame;
-  json["fixed_frame"] = p.fixed_frame;
-  json["horizon"] = p.horizon;
-  json["warn_time"] = p.thresholds.warn_time;
-  json["critical_time"] = p.thresholds.critical_time;
-  json["max_data_age"] = p.max_data_age;
-  json["transform_tolerance"] = p.transform_tolerance;
-  json["clear_after"] = p.clear_after;
-  json["ego_motion"] = p.ego_motion == EgoMotion::kStatic ? "static" : "odom";
-  json["obstacle_velocity"] =
-      p.obstacle_velocity == ObstacleVelocity::kRelative ? "relative" : "over_ground";
-  json["obstacle_detector_radius"] =
-      p.obstacle_detector_radius == ObstacleDetectorRadius::kRadius ? "radius" : "true_radius";
-  return json;
-}
-
 Json jsonOf(const std::optional<WorstMoment>& worst) {
   if (!worst) return nullptr;
   return {{"time_to_collision", worst->time_to_collision},
@@ -84,7 +60,33 @@ Json topics(const TopicChoice& choice) {
           {"footprint", named(choice.names.footprint)}};
 }
 
-Json jsonOf(const BagReport& report, const Options& options) {
+}  // namespace
+
+Json parametersJson(const Parameters& p) {
+  Json json;
+  json["footprint"] = nullptr;
+  if (p.footprint) {
+    json["footprint"] = Json::array();
+    for (const auto& vertex : p.footprint->vertices())
+      json["footprint"].push_back({vertex.x(), vertex.y()});
+  }
+  json["base_frame"] = p.base_frame;
+  json["fixed_frame"] = p.fixed_frame;
+  json["horizon"] = p.horizon;
+  json["warn_time"] = p.thresholds.warn_time;
+  json["critical_time"] = p.thresholds.critical_time;
+  json["max_data_age"] = p.max_data_age;
+  json["transform_tolerance"] = p.transform_tolerance;
+  json["clear_after"] = p.clear_after;
+  json["ego_motion"] = p.ego_motion == EgoMotion::kStatic ? "static" : "odom";
+  json["obstacle_velocity"] =
+      p.obstacle_velocity == ObstacleVelocity::kRelative ? "relative" : "over_ground";
+  json["obstacle_detector_radius"] =
+      p.obstacle_detector_radius == ObstacleDetectorRadius::kRadius ? "radius" : "true_radius";
+  return json;
+}
+
+Json bagJson(const BagReport& report, const Options& options) {
   const Statistics& s = report.statistics;
   Json json;
   json["bag"] = report.bag;
@@ -110,19 +112,21 @@ Json jsonOf(const BagReport& report, const Options& options) {
   return json;
 }
 
-}  // namespace
+std::string jsonText(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 Json summaryJson(const std::vector<BagReport>& reports, const Options& options,
                  const Parameters& parameters) {
   Json json;
   json["program"] = "analyze_bag " PACKAGE_VERSION;
   json["partial"] = false;
-  json["parameters"] = jsonOf(parameters);
+  json["parameters"] = parametersJson(parameters);
   json["fail_under"] = options.fail_under ? Json(*options.fail_under) : Json(nullptr);
   json["max_unknown"] = options.max_unknown;
   json["bags"] = Json::array();
   for (const BagReport& report : reports) {
-    json["bags"].push_back(jsonOf(report, options));
+    json["bags"].push_back(bagJson(report, options));
     json["partial"] = json["partial"].get<bool>() || report.partial;
   }
   return json;

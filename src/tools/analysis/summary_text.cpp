@@ -25,22 +25,6 @@ std::string with(const WorstMoment& worst) {
   return text;
 }
 
-std::string verdict(const BagReport& report, const Options& options) {
-  const Statistics& s = report.statistics;
-  switch (s.verdict(options.max_unknown)) {
-    case Verdict::kContact:
-      return format("CONTACT at %.2f s: ", s.worst()->elapsed) + with(*s.worst());
-    case Verdict::kPredicted:
-      return format("no contact; nearest to one at %.2f s: time to collision %.2f s, ",
-                    s.worst()->elapsed, s.worst()->time_to_collision) +
-             with(*s.worst());
-    case Verdict::kNone:
-      return "no contact was ever predicted";
-    default:
-      return "CANNOT TELL: too little of the recording could be evaluated";
-  }
-}
-
 std::string levels(const Statistics& s) {
   std::string text;
   for (const auto level : {CollisionWarning::CLEAR, CollisionWarning::WARN,
@@ -83,12 +67,28 @@ std::string reasonLines(const Statistics& s) {
 
 }  // namespace
 
+std::string verdictText(const BagReport& report, const Options& options) {
+  const Statistics& s = report.statistics;
+  switch (s.verdict(options.max_unknown)) {
+    case Verdict::kContact:
+      return format("CONTACT at %.2f s: ", s.worst()->elapsed) + with(*s.worst());
+    case Verdict::kPredicted:
+      return format("no contact; nearest to one at %.2f s: time to collision %.2f s, ",
+                    s.worst()->elapsed, s.worst()->time_to_collision) +
+             with(*s.worst());
+    case Verdict::kNone:
+      return "no contact was ever predicted";
+    default:
+      return "CANNOT TELL: too little of the recording could be evaluated";
+  }
+}
+
 std::string summaryText(const BagReport& report, const Options& options) {
   const Statistics& s = report.statistics;
   if (s.evaluations() == 0)
     return report.bag + ": " +
            (report.partial ? "partial: interrupted before its begin" : "no result") + "\n";
-  std::string text = report.bag + ": " + verdict(report, options) + "\n";
+  std::string text = report.bag + ": " + verdictText(report, options) + "\n";
   if (report.partial)
     text += format("  partial: only %.2f of %.2f s were analysed\n", s.seconds(),
                    (report.window.end - report.window.begin).toSec());
