@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shape.hpp"
+
 namespace footprint_collision_predictor::core {
 
 ObstacleBatch::ObstacleBatch(const std::vector<Obstacle>& obstacles) {
@@ -34,14 +36,8 @@ void ObstacleBatch::add(const Obstacle& obstacle) {
   ay.push_back(m.acceleration.y());
   radius.push_back(obstacle.radius());
   radius_rate.push_back(obstacle.disc().radius_rate);
-  double reach = 0;
-  const std::vector<Vec2>& vertices = obstacle.outline();
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    reach = std::max(reach, vertices[i].norm());
-    if (vertices.size() > 2 || i == 0)
-      outline_edges_.emplace_back(Segment{vertices[i], vertices[(i + 1) % vertices.size()]});
-  }
-  bounding_radius.push_back(obstacle.radius() + reach);
+  bounding_radius.push_back(boundingRadius(obstacle));
+  appendOutline(obstacle, &outline_edges_);
   outline_end_.push_back(static_cast<std::uint32_t>(outline_edges_.size()));
   largest_coordinates_ = std::max(largest_coordinates_, m.position.lpNorm<1>());
   largest_speed_ = std::max(largest_speed_, m.velocity.lpNorm<1>());
