@@ -7,6 +7,7 @@ from footprint_collision_predictor.msg import CollisionWarning, ObstacleArray
 from node_testing import PATIENT, circle
 from raw_messages import raw, serialized, stamped
 from ros_test_case import RosTestCase, run
+from several_bodies import BASE, of
 
 DEADLINE = CollisionWarning.REASON_DEADLINE
 MANY = 50000  # each of them takes some 100 ns; the period is 1 ms
@@ -14,7 +15,11 @@ MANY = 50000  # each of them takes some 100 ns; the period is 1 ms
 
 class Deadline(RosTestCase):
     def setUp(self):
-        self.node = self.rig(None, **dict(PATIENT, heartbeat_rate=1000.0, max_obstacles=MANY + 1))
+        self.start(PATIENT)
+
+    def start(self, parameters):
+        self.node = self.rig(None, **dict(parameters, heartbeat_rate=1000.0,
+                                          max_obstacles=MANY + 1))
         self.message = raw(ObstacleArray)
         self.publisher = self.node.publisher('obstacles', self.message)
 
@@ -34,6 +39,16 @@ class Deadline(RosTestCase):
         took, period = [float(n) for n in re.findall(r'(\d+\.\d+) s', late.message)[:2]]
         self.assertGreater(took, period)
         self.assertEqual(period, 0.001)
+
+    def test_Fault35_too_much_work_for_several_bodies(self):
+        """Whichever is evaluated last, what all take must fit the period."""
+        self.start({'footprints': [BASE, dict(BASE, name='load')], 'ego_motion': 'static',
+                    'max_data_age': 30.0})
+        stamp = self.send(circle(-1, (30, 0)), MANY)
+        for name in 'base', 'load':
+            late = of(name, self.node.warnings, stamp)
+            self.assertUnknown(late, DEADLINE)
+            self.assertSays(late, '%d obstacles' % MANY, 'longer than the period')
 
     def test_Fault35_a_certain_hit_is_still_critical(self):
         late = self.node.warning_at(self.send(circle(-1, (3, 0), (-1, 0)), MANY))
