@@ -23,8 +23,8 @@ function sentence(words) {
 
 function fillHeader(report) {
   const {bag} = report;
-  document.title = `${bag.bag} - collision report`;
-  byId('bag').textContent = bag.bag;
+  document.title = `${nameOf(bag)} - collision report`;
+  byId('bag').textContent = nameOf(bag);
   byId('all-bags').hidden = !report.several;
   byId('verdict').replaceChildren(chip(verdictLevel(bag, report.parameters), sentence(report.verdict)));
   showText('partial', bag.partial && (bag.evaluations
