@@ -36,8 +36,13 @@ class ObstacleBatch {
   Outline outline(std::size_t i) const;
   /// [m/s^2] at least that of every obstacle
   double largestAcceleration() const { return largest_acceleration_; }
-  /// Whether any obstacle accelerates or grows.
-  bool bends() const { return bends_; }
+  /// Whether the radius of any obstacle grows.
+  bool grows() const { return grows_; }
+  /// [m] at least as far as any obstacle gets from the origin within a time [s]
+  double farthest(double horizon) const {
+    return largest_coordinates_ +
+           horizon * (largest_speed_ + 0.5 * horizon * largest_acceleration_);
+  }
 
   /// One value for each obstacle, for what goes through all of them.
   std::vector<double> x, y;             ///< [m] position
@@ -50,8 +55,8 @@ class ObstacleBatch {
  private:
   std::vector<std::uint32_t> outline_end_;  ///< in outline_edges_
   std::vector<Edge> outline_edges_;
-  double largest_acceleration_ = 0;
-  bool bends_ = false;
+  double largest_coordinates_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;
+  bool grows_ = false;
 };
 
 }  // namespace footprint_collision_predictor::core

@@ -30,8 +30,10 @@ inline double firstRoot(double gap, double slope, double curvature, double windo
 
 /// How a point lies to the nearest point of a body.
 struct Away {
-  Vec2 vector;          ///< [m] from there to the point
-  bool is_at_vertex;    ///< whether the nearest point is a vertex
+  Vec2 vector;  ///< [m] from there to the point
+  /// [m] > 0 when the nearest point is a vertex: how far the point lies beyond each of the sides
+  /// that meet there, along them, at least
+  double beyond;
   std::size_t segment;  ///< the one it is on
 };
 
@@ -41,9 +43,9 @@ struct EdgeBody {
 
   Away awayFrom(const Vec2& p) const {
     const double along = edge.tangent.dot(p);
-    if (along <= 0) return {p, true, 0};
-    if (along >= edge.length) return {p - edge.end, true, 0};
-    return {cross(edge.tangent, p) * leftNormal(edge.tangent), false, 0};
+    if (along <= 0) return {p, -along, 0};
+    if (along >= edge.length) return {p - edge.end, along - edge.length, 0};
+    return {cross(edge.tangent, p) * leftNormal(edge.tangent), 0, 0};
   }
 };
 
@@ -68,7 +70,7 @@ class Gap {
   /// [m/s^2] at which the slope grows
   double curvature() const {
     const double bend = normal_.dot(state_.acceleration);
-    if (!away_.is_at_vertex || distance_ == 0) return bend;
+    if (!(away_.beyond > 0)) return bend;
     const double past = cross(normal_, state_.velocity);
     return bend + past * past / distance_;
   }
@@ -76,11 +78,29 @@ class Gap {
   std::size_t segment() const { return away_.segment; }
   /// [s] for how long, at most `window`, the gap certainly stays above `level` [m] < size().
   double staysAbove(double level, double window) const {
+    double step = 0;
+    if constexpr (Path::kBodyTurns) {
+      const double room = away_.beyond > 0 ? roomOfVertex() : 0;
+      if (room > 0) step = staysAboveOverGround(level, std::min(room, window));
+      if (step < room || room >= window) return step;
+    }
     const double curvature = path_.lowestAcceleration(state_, normal_, window);
-    return firstRoot(size_ - level, slope_, curvature, window);
+    return std::max(step, firstRoot(size_ - level, slope_, curvature, window));
   }
 
  private:
+  /// [s] for how long a nearest vertex surely remains what lies farthest along the normal, when
+  /// this is fixed over ground: the angle to the sides' normals is no less than its sine.
+  double roomOfVertex() const { return path_.timeToTurn(away_.beyond / distance_); }
+
+  /// The same with the normal fixed over ground. The slope is no other: going round the vertex does
+  /// not lead away from it.
+  double staysAboveOverGround(double level, double window) const {
+    const double curvature =
+        path_.lowestAccelerationOverGround(state_.position - away_.vector, state_, normal_, window);
+    return firstRoot(size_ - level, slope_, curvature, window);
+  }
+
   const Path& path_;
   PathState state_;
   Away away_;
@@ -90,14 +110,15 @@ class Gap {
   double slope_;
 };
 
-/// Where to go next from t: the longer of the steps that follow from all the time left and from a
-/// window of a few lengths of the last step, in which the path can be bent less.
+/// Where to go next from t: a window of a few lengths of the last step, in which the path can be
+/// bent less, says more than all the time left, unless it ends before the gap does.
 template <typename Body, typename Path>
 double nextStep(const Gap<Body, Path>& gap, double level, double time_left, double last_step) {
   constexpr double kWindow = 8;
-  const double step = gap.staysAbove(level, time_left);
-  const double window = kWindow * last_step;
-  return window < time_left ? std::max(step, gap.staysAbove(level, window)) : step;
+  const double window = std::min(kWindow * last_step, time_left);
+  const double step = gap.staysAbove(level, window);
+  const bool ends_before = step >= window && window < time_left;
+  return ends_before ? std::max(step, gap.staysAbove(level, time_left)) : step;
 }
 
 /// How an advancement ended.

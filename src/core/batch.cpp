@@ -4,6 +4,7 @@
 #include <array>
 
 #include "closest_approach.hpp"
+#include "convex.hpp"
 #include "narrow_phase.hpp"
 
 namespace footprint_collision_predictor::core {
@@ -16,9 +17,7 @@ void forEachNear(const BatchQuery& q, const Horizon& horizon, const Gap& gap, co
   std::array<std::size_t, kBlock> candidates;
   const ObstacleBatch& obstacles = q.obstacles;
   const auto sweep = [&](double duration) {
-    return SweptFootprint(
-        q.footprint, q.twist, duration,
-        windowsFor(q.footprint, q.twist, duration, obstacles.largestAcceleration()));
+    return SweptFootprint(q.footprint, q.twist, duration, obstacles.largestAcceleration());
   };
   double swept_for = horizon();
   SweptFootprint swept = sweep(swept_for);
@@ -39,6 +38,15 @@ bool comesFirst(const Edge& edge, const ObstacleBatch& obstacles, const Contact&
                 std::size_t j, const SegmentContact& known) {
   if (contact.time != known.contact.time) return contact.time < known.contact.time;
   return gapNow(edge, shapeOf(obstacles, j)) < gapNow(edge, shapeOf(obstacles, known.obstacle));
+}
+
+/// Whether it is certain, and quickly told, that an obstacle touches no segment until a time.
+bool surelyStaysAway(const BatchQuery& q, const Shape& shape, double until) {
+  // What starts within the footprint may touch from there.
+  const bool may_be_within = mayComeWithin(0, q.footprint, shape.disc, shape.disc.radius);
+  if (shape.outline.size > 0 || may_be_within || !q.footprint.isConvex()) return false;
+  const ConvexAnswer answer = firstTouchOfConvex(q.footprint, q.twist, shape.disc, until);
+  return answer.is_certain && !answer.touch;
 }
 
 /// A touch of a vertex is one of both its segments, at the same time. Each has found it by itself,
@@ -91,9 +99,7 @@ ClosestApproach closestApproach(const BatchQuery& q, double clearance) {
   ClosestApproach closest{clearance, 0};
   const auto ahead = [&] { return q.horizon; };
   const auto gap = [&] { return closest.distance; };
-  const SweptFootprint swept(
-      footprint, twist, horizon,
-      windowsFor(footprint, twist, horizon, obstacles.largestAcceleration()));
+  const SweptFootprint swept(footprint, twist, horizon, obstacles.largestAcceleration());
   forEachNear(q, ahead, gap, [&](std::size_t j) {
     if (mayComeWithin(gap(), swept, obstacles.disc(j), obstacles.bounding_radius[j]))
       lower(footprint, twist, shapeOf(obstacles, j), horizon, &closest);
@@ -148,6 +154,7 @@ void firstContacts(const BatchQuery& q, std::vector<std::optional<SegmentContact
   const auto gap = [] { return 0.0; };
   forEachNear(q, until, gap, [&](std::size_t j) {
     const Shape shape = shapeOf(obstacles, j);
+    if (surelyStaysAway(q, shape, until())) return;
     const NarrowPhase narrow(footprint, twist, shape, horizon);
     for (std::size_t i = 0; i < footprint.size(); ++i) {
       auto& known = (*contacts)[i];

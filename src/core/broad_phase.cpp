@@ -3,31 +3,49 @@
 #include <algorithm>
 #include <cmath>
 
+#include "path.hpp"
 #include "rounding.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
 
-/// A point and a circle of this size about the origin, at the start of a window: whether they may
-/// touch within its duration.
-/// \param rate at which the circle grows
+/// An obstacle about the footprint's circle within a window: a point that moves straight, and how
+/// near [m] to the origin it touches. Plain numbers, several of which share a register.
+struct Chord {
+  double px, py, vx, vy, reach;
+};
+
+/// Square of a reach, for comparisons: nothing is within a negative one, which is that of a gap
+/// that only overlaps can have.
+[[gnu::always_inline]] inline double squared(double reach) { return reach * std::abs(reach); }
+
+/// By where the point is nearest.
+[[gnu::always_inline]] inline bool mayTouch(const Chord& c, double duration) {
+  const double nearest = -(c.px * c.vx + c.py * c.vy) / (c.vx * c.vx + c.vy * c.vy);
+  const double from_now = nearest > 0 ? nearest : 0;  // also for NaN: it stands still
+  const double t = from_now < duration ? from_now : duration;
+  const double x = c.px + t * c.vx, y = c.py + t * c.vy;
+  return x * x + y * y <= squared(c.reach);
+}
+
+/// By the sign of a quadratic: without a division, which is quicker for a single one. The reach may
+/// grow at a rate [m/s].
 template <bool kGrows>
-[[gnu::always_inline]] inline bool mayTouch(double px, double py, double vx, double vy,
-                                            double reach, double rate, double duration) {
+[[gnu::always_inline]] inline bool mayTouchBySign(const Chord& c, double rate, double duration) {
   // |p + v t|^2 - (reach + rate t)^2 = f + 2 h t + m t^2, and its discriminant as a sum of squares
   // of cross products, which does not cancel far away.
-  const double p2 = px * px + py * py, v2 = vx * vx + vy * vy;
-  const double reach2 = reach * reach;
-  const double cross = px * vy - py * vx;
+  const double p2 = c.px * c.px + c.py * c.py, v2 = c.vx * c.vx + c.vy * c.vy;
+  const double reach2 = c.reach * c.reach;
+  const double cross = c.px * c.vy - c.py * c.vx;
   const double f = p2 - reach2;
-  double h = px * vx + py * vy;
+  double h = c.px * c.vx + c.py * c.vy;
   double m = v2, speeds = v2;
   double discriminant = reach2 * v2 - cross * cross;
   if constexpr (kGrows) {
-    h -= reach * rate;
+    h -= c.reach * rate;
     m -= rate * rate;
     speeds += rate * rate;
-    const double x = reach * vx - rate * px, y = reach * vy - rate * py;
+    const double x = c.reach * c.vx - rate * c.px, y = c.reach * c.vy - rate * c.py;
     discriminant = x * x + y * y - cross * cross;
   }
   const double at_end = f + duration * (2 * h + duration * m);
@@ -35,8 +53,12 @@ template <bool kGrows>
   const double rounding = size + kGenerous * duration * duration * speeds;
   const bool at_the_ends = (f <= rounding) | (at_end <= rounding);
   const bool between = (h <= 0) & (h + m * duration >= 0) & (discriminant >= -size * speeds);
-  // A negative reach is that of a gap which only overlaps can have.
-  return (at_the_ends | between) & (reach >= 0);
+  return (at_the_ends | between) & (c.reach >= 0);
+}
+
+[[gnu::always_inline]] inline bool mayTouchBySign(const Chord& c, double rate, double duration) {
+  return rate == 0 ? mayTouchBySign<false>(c, 0, duration)
+                   : mayTouchBySign<true>(c, rate, duration);
 }
 
 struct Arrays {
@@ -45,72 +67,95 @@ struct Arrays {
 
 /// What all obstacles are asked.
 struct Question {
-  Vec2 origin;
+  Vec2 origin;  ///< [m] of the window's circle
   SweptFootprint::Window window;
-  double gap;
+  double reach;  ///< [m] beside an obstacle's own radius
 };
 
-/// Any obstacle i.
-[[gnu::always_inline]] inline bool mayTouch(const Arrays& a, std::size_t i, const Question& q) {
-  const double t = q.window.start, duration = q.window.duration;
-  const double middle = t + 0.5 * duration;
-  const double x = a.x[i] - q.origin.x(), y = a.y[i] - q.origin.y();
+/// What is true of all obstacles and the footprint, so that less has to be computed.
+enum class Simple {
+  kNow,       ///< no time passes
+  kStraight,  ///< nothing accelerates, turns or grows
+  kSteady,    ///< nothing grows
+  kNothing,
+};
+
+[[gnu::always_inline]] inline Chord chordOf(const Arrays& a, std::size_t i, const Question& q) {
+  const double t = q.window.start, duration = q.window.duration, middle = t + 0.5 * duration;
   const double bulge = 0.125 * duration * duration * (std::abs(a.ax[i]) + std::abs(a.ay[i]));
-  const double rate = a.radius_rate[i];
-  return mayTouch<true>(x + t * (a.vx[i] + 0.5 * t * a.ax[i]) - q.window.centre.x(),
-                        y + t * (a.vy[i] + 0.5 * t * a.ay[i]) - q.window.centre.y(),
-                        a.vx[i] + middle * a.ax[i] - q.window.velocity.x(),
-                        a.vy[i] + middle * a.ay[i] - q.window.velocity.y(),
-                        a.radius[i] + rate * t + (q.window.radius + q.gap) + bulge, rate, duration);
+  return {a.x[i] - q.origin.x() + t * (a.vx[i] + 0.5 * t * a.ax[i]),
+          a.y[i] - q.origin.y() + t * (a.vy[i] + 0.5 * t * a.ay[i]),
+          a.vx[i] + middle * a.ax[i] - q.window.velocity.x(),
+          a.vy[i] + middle * a.ay[i] - q.window.velocity.y(),
+          a.radius[i] + q.reach + a.radius_rate[i] * t + bulge};
 }
 
-/// One that neither accelerates nor grows, in the only window of a footprint that does not turn.
-[[gnu::always_inline]] inline bool mayTouchStraight(const Arrays& a, std::size_t i,
-                                                    const Question& q) {
-  return mayTouch<false>(a.x[i] - q.origin.x(), a.y[i] - q.origin.y(),
-                         a.vx[i] - q.window.velocity.x(), a.vy[i] - q.window.velocity.y(),
-                         a.radius[i] + (q.window.radius + q.gap), 0, q.window.duration);
+template <Simple kSimple>
+[[gnu::always_inline]] inline bool mayTouch(const Arrays& a, std::size_t i, const Question& q) {
+  const double duration = q.window.duration;
+  if constexpr (kSimple == Simple::kNow || kSimple == Simple::kStraight) {
+    const double x = a.x[i] - q.origin.x(), y = a.y[i] - q.origin.y();
+    const double reach = a.radius[i] + q.reach;
+    if constexpr (kSimple == Simple::kNow) return x * x + y * y <= squared(reach);
+    const Vec2& own = q.window.velocity;
+    return mayTouch({x, y, a.vx[i] - own.x(), a.vy[i] - own.y(), reach}, duration);
+  }
+  const Chord c = chordOf(a, i, q);
+  if constexpr (kSimple == Simple::kSteady) return mayTouch(c, duration);
+  return mayTouchBySign<true>(c, a.radius_rate[i], duration);
 }
 
-template <bool kStraight>
+template <Simple kSimple>
 [[gnu::always_inline]] inline void mark(const Arrays& a, std::size_t count, const Question& q,
                                         std::int64_t* marks) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool may_touch = kStraight ? mayTouchStraight(a, i, q) : mayTouch(a, i, q);
-    marks[i] |= may_touch ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < count; ++i) marks[i] |= mayTouch<kSimple>(a, i, q) ? 1 : 0;
 }
 
-template <bool kStraight>
+template <Simple kSimple>
 void markBaseline(const Arrays& a, std::size_t count, const Question& q, std::int64_t* marks) {
-  mark<kStraight>(a, count, q, marks);
+  mark<kSimple>(a, count, q, marks);
 }
 
 #ifdef __x86_64__
-template <bool kStraight>
+template <Simple kSimple>
 [[gnu::target("avx2")]] void markAvx2(const Arrays& a, std::size_t count, const Question& q,
                                       std::int64_t* marks) {
-  mark<kStraight>(a, count, q, marks);
+  mark<kSimple>(a, count, q, marks);
 }
 
-template <bool kStraight>
+template <Simple kSimple>
 [[gnu::target("avx512f,avx512vl,avx512dq")]] void markAvx512(const Arrays& a, std::size_t count,
                                                              const Question& q,
                                                              std::int64_t* marks) {
-  mark<kStraight>(a, count, q, marks);
+  mark<kSimple>(a, count, q, marks);
 }
 #endif
 
 using Mark = void (*)(const Arrays&, std::size_t, const Question&, std::int64_t*);
 
-template <bool kStraight>
+template <Simple kSimple>
 Mark markWith(InstructionSet set) {
 #ifdef __x86_64__
-  if (set == InstructionSet::kAvx512) return markAvx512<kStraight>;
-  if (set == InstructionSet::kAvx2) return markAvx2<kStraight>;
+  if (set == InstructionSet::kAvx512) return markAvx512<kSimple>;
+  if (set == InstructionSet::kAvx2) return markAvx2<kSimple>;
 #endif
   (void)set;
-  return markBaseline<kStraight>;
+  return markBaseline<kSimple>;
+}
+
+Mark markWith(InstructionSet set, const ObstacleBatch& obstacles, const SweptFootprint& footprint) {
+  if (footprint.horizon() == 0) return markWith<Simple::kNow>(set);
+  if (obstacles.grows()) return markWith<Simple::kNothing>(set);
+  if (footprint.turns() || obstacles.largestAcceleration() > 0)
+    return markWith<Simple::kSteady>(set);
+  return markWith<Simple::kStraight>(set);
+}
+
+/// \param farthest [m] that anything gets from the frame's origin, for rounding
+Question questionOf(const SweptFootprint& footprint, const SweptFootprint::Window& window,
+                    double gap, double farthest) {
+  const double rounding = kGenerous * (farthest + footprint.centroid().lpNorm<1>());
+  return {footprint.centroid() + window.centre, window, window.radius + gap + rounding};
 }
 
 }  // namespace
@@ -134,43 +179,27 @@ InstructionSet widestInstructionSet() {
   return widest;
 }
 
-std::size_t windowsFor(const Polygon& footprint, const Twist& twist, double horizon,
-                       double obstacle_acceleration) {
-  // As many as make the bulges some tenths of the footprint: more cost more than they save.
-  const double speed = atPoint(footprint.centroid(), twist).linear.norm();
-  const double bulge =
-      (std::abs(twist.angular) * speed + obstacle_acceleration) * horizon * horizon / 8;
-  const double most = 0.5 * footprint.boundingRadius();
-  std::size_t windows = 1;
-  while (windows < SweptFootprint::kMostWindows &&
-         bulge > most * static_cast<double>(windows * windows))
-    ++windows;
-  return windows;
-}
-
 SweptFootprint::SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon,
-                               std::size_t windows) {
-  centroid_ = footprint.centroid();
-  turns_ = twist.angular != 0;
+                               double obstacle_acceleration)
+    : centroid_(footprint.centroid()), count_(1), horizon_(horizon), turns_(twist.angular != 0) {
   const Twist centroid = atPoint(centroid_, twist);
   const double speed = centroid.linear.norm();
   const double acceleration = std::abs(twist.angular) * speed;
   const double radius = footprint.boundingRadius();
-  count_ = windows;
+  // As many as make the bulges some tenths of the footprint: more cost more than they save.
+  const double bulge = (acceleration + obstacle_acceleration) * horizon * horizon / 8;
+  while (count_ < kMostWindows && bulge > 0.5 * radius * static_cast<double>(count_ * count_))
+    ++count_;
   const double duration = horizon / static_cast<double>(count_);
-  Vec2 centre(0, 0);
+  const double own_bulge = acceleration * duration * duration / 8;
+  const Turn turn(twist.angular * duration);
+  Vec2 centre(0, 0), velocity = turn.displacement(centroid.linear);
   for (std::size_t i = 0; i < count_; ++i) {
     const double start = static_cast<double>(i) * duration;
     const double rounding = kGenerous * (radius + (start + duration) * speed);
-    windows_[i] = {start, duration, centre, centroid.linear,
-                   radius + acceleration * duration * duration / 8 + rounding};
-    if (!turns_) {
-      centre += duration * centroid.linear;
-      continue;
-    }
-    const Vec2 next = displacement(centroid, start + duration);
-    if (duration > 0) windows_[i].velocity = (next - centre) / duration;
-    centre = next;
+    windows_[i] = {start, duration, centre, velocity, radius + own_bulge + rounding};
+    centre += duration * velocity;
+    velocity = turn(velocity);
   }
 }
 
@@ -209,10 +238,10 @@ std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, st
                       &obstacles.ay[begin],
                       &obstacles.bounding_radius[begin],
                       &obstacles.radius_rate[begin]};
-  const bool straight = !footprint.turns() && !obstacles.bends();
-  const Mark mark_window = straight ? markWith<true>(set) : markWith<false>(set);
+  const Mark mark_window = markWith(set, obstacles, footprint);
+  const double farthest = obstacles.farthest(footprint.horizon());
   for (const auto& window : footprint)
-    mark_window(arrays, count, {footprint.centroid(), window, gap}, marks.data());
+    mark_window(arrays, count, questionOf(footprint, window, gap, farthest), marks.data());
   return collect(marks, begin, count, candidates);
 }
 
@@ -221,8 +250,13 @@ bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc
   const Motion& m = disc.motion;
   const Arrays one{&m.position.x(),     &m.position.y(),     &m.velocity.x(),  &m.velocity.y(),
                    &m.acceleration.x(), &m.acceleration.y(), &bounding_radius, &disc.radius_rate};
+  const double t = footprint.horizon();
+  const double farthest =
+      m.position.lpNorm<1>() + t * (m.velocity.lpNorm<1>() + 0.5 * t * m.acceleration.lpNorm<1>());
   const auto may_touch = [&](const SweptFootprint::Window& window) {
-    return mayTouch(one, 0, {footprint.centroid(), window, gap});
+    const Question question = questionOf(footprint, window, gap, farthest);
+    const Chord chord = chordOf(one, 0, question);
+    return mayTouchBySign(chord, disc.radius_rate, window.duration);
   };
   return std::any_of(footprint.begin(), footprint.end(), may_touch);
 }
@@ -234,15 +268,12 @@ bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc, do
     const Vec2 v = m.velocity - twist.linear + 0.5 * horizon * m.acceleration;
     const double bulge = 0.125 * horizon * horizon * m.acceleration.lpNorm<1>();
     const double reach = disc.radius + footprint.boundingRadius() * (1 + kGenerous) + bulge;
-    const bool may_touch =
-        disc.radius_rate == 0
-            ? mayTouch<false>(p.x(), p.y(), v.x(), v.y(), reach, 0, horizon)
-            : mayTouch<true>(p.x(), p.y(), v.x(), v.y(), reach, disc.radius_rate, horizon);
-    if (!may_touch) return false;
+    const Chord chord{p.x(), p.y(), v.x(), v.y(), reach};
+    if (!mayTouchBySign(chord, disc.radius_rate, horizon)) return false;
     if (bulge == 0) return true;
   }
-  const std::size_t windows = windowsFor(footprint, twist, horizon, m.acceleration.norm());
-  return mayComeWithin(0, SweptFootprint(footprint, twist, horizon, windows), disc, disc.radius);
+  const SweptFootprint swept(footprint, twist, horizon, m.acceleration.norm());
+  return mayComeWithin(0, swept, disc, disc.radius);
 }
 
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {

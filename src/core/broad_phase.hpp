@@ -1,13 +1,15 @@
 // The broad phase: which obstacles may touch at all? Most cannot, and are thrown away by a bound
-// that is never wrong, without a branch or a division.
+// that is never wrong, without a branch.
 //
 // The footprint lies in a circle about its centroid, an obstacle in one about its position. Within
 // a window of time both move along their chords, but for a bulge of at most |acceleration| T^2 / 8.
-// Two circles that move along chords are a point and a growing disc: whether they touch within the
-// window is the sign of a quadratic. Long windows are cut where the bulges get large.
+// Two circles that move along chords are a point and a disc: what decides is how far apart they are
+// when they are nearest, or, when the disc grows, the sign of a quadratic. Long windows are cut
+// where the bulges get large.
 //
-// One loop over a structure of arrays, compiled for several instruction sets. All give the same
-// bits: no operation is reordered or contracted.
+// One loop over a structure of arrays, compiled for several instruction sets, in four versions that
+// leave out what no obstacle needs. All sets give the same bits: no operation is reordered or
+// contracted.
 #pragma once
 
 #include <array>
@@ -30,8 +32,9 @@ class SweptFootprint {
  public:
   static constexpr std::size_t kMostWindows = 8;
 
-  /// \param windows into which the time is cut
-  SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon, std::size_t windows);
+  /// \param obstacle_acceleration [m/s^2] the largest of any obstacle it is held against
+  SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon,
+                 double obstacle_acceleration);
 
   /// [m] in the footprint's frame; everything else is relative to it, so that nothing is lost far
   /// from the frame's origin.
@@ -45,6 +48,8 @@ class SweptFootprint {
     Vec2 velocity;    ///< [m/s] along the chord
     double radius;    ///< [m] with what the path leaves the chord by, and for rounding
   };
+  /// [s]
+  double horizon() const { return horizon_; }
   const Window* begin() const { return windows_.data(); }
   const Window* end() const { return windows_.data() + count_; }
 
@@ -52,12 +57,9 @@ class SweptFootprint {
   Vec2 centroid_;
   std::array<Window, kMostWindows> windows_;
   std::size_t count_;
+  double horizon_;
   bool turns_;
 };
-
-/// Into how many windows to cut the time, by the largest acceleration [m/s^2] of any obstacle.
-std::size_t windowsFor(const Polygon& footprint, const Twist& twist, double horizon,
-                       double obstacle_acceleration);
 
 constexpr std::size_t kBlock = 256;
 

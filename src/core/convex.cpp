@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "advancement.hpp"
+#include "convex_body.hpp"
 #include "edge_contact.hpp"
 #include "rounding.hpp"
 
@@ -26,9 +27,6 @@ bool isNearest(const Sides& sides, std::size_t i, const Vec2& p) {
   const std::size_t before = (i + n - 1) % n;
   return sides.along(i, p) <= 0 && sides.along(before, p) >= sides.length[before];
 }
-
-// So many sides are gone through at once, without a branch: what decides is different for each.
-constexpr std::size_t kAtOnce = 16;
 
 /// A disc that moves straight, about the footprint's centroid, with half of what rounding may
 /// amount to as part of its radius; it grows with the way.
@@ -62,9 +60,9 @@ Passage passageOf(const StraightDisc& disc, const Sides& sides, double horizon) 
   const double* offset = sides.offset.data();
   const double px = disc.p.x(), py = disc.p.y(), vx = disc.v.x(), vy = disc.v.y();
   Passage passage{-1, horizon, 0};
-  for (std::size_t begin = 0; begin < sides.offset.size(); begin += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, sides.offset.size() - begin);
-    double enter[kAtOnce], leave[kAtOnce];
+  for (std::size_t begin = 0; begin < sides.offset.size(); begin += kSidesAtOnce) {
+    const std::size_t count = std::min(kSidesAtOnce, sides.offset.size() - begin);
+    double enter[kSidesAtOnce], leave[kSidesAtOnce];
     for (std::size_t i = 0; i < count; ++i) {
       const double x = normal_x[begin + i], y = normal_y[begin + i];
       const double gap = x * px + y * py - offset[begin + i] - disc.reach;
@@ -122,56 +120,6 @@ ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until) 
           .has_value();
   return may_touch ? kUncertain : kNever;
 }
-
-/// The footprint as a body, about its centroid.
-class ConvexBody {
- public:
-  explicit ConvexBody(const Sides& sides) : sides_(sides) {}
-
-  /// \param p outside
-  Away awayFrom(const Vec2& p) const {
-    std::size_t nearest = 0;
-    double smallest = HUGE_VAL;
-    for (std::size_t begin = 0; begin < sides_.offset.size(); begin += kAtOnce) {
-      const std::size_t count = std::min(kAtOnce, sides_.offset.size() - begin);
-      double squares[kAtOnce];
-      squaredDistances(p, begin, count, squares);
-      for (std::size_t i = 0; i < count; ++i) {
-        nearest = squares[i] < smallest ? begin + i : nearest;
-        smallest = squares[i] < smallest ? squares[i] : smallest;
-      }
-    }
-    const double beyond = beyondEnd(sides_.along(nearest, p), sides_.length[nearest]);
-    const Vec2 normal = sides_.normal(nearest);
-    return {sides_.across(nearest, p) * normal + beyond * sides_.winding * leftNormal(normal),
-            beyond != 0, nearest};
-  }
-
- private:
-  static double beyondEnd(double along, double length) {
-    const double before = along < 0 ? along : 0;
-    const double after = along > length ? along - length : 0;
-    return before + after;
-  }
-
-  void squaredDistances(const Vec2& p, std::size_t begin, std::size_t count,
-                        double* squares) const {
-    const double* normal_x = sides_.normal_x.data() + begin;
-    const double* normal_y = sides_.normal_y.data() + begin;
-    const double* offset = sides_.offset.data() + begin;
-    const double* start = sides_.start.data() + begin;
-    const double* length = sides_.length.data() + begin;
-    const double px = p.x(), py = p.y(), winding = sides_.winding;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double across = normal_x[i] * px + normal_y[i] * py - offset[i];
-      const double along = winding * (normal_x[i] * py - normal_y[i] * px) - start[i];
-      const double beyond = beyondEnd(along, length[i]);
-      squares[i] = across * across + beyond * beyond;
-    }
-  }
-
-  const Sides& sides_;
-};
 
 /// Any other motion: advancement of the whole. \param path of the centre about the centroid
 template <typename Path>

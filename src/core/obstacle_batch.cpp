@@ -14,8 +14,8 @@ void ObstacleBatch::clear() {
     values->clear();
   outline_end_.clear();
   outline_edges_.clear();
-  largest_acceleration_ = 0;
-  bends_ = false;
+  largest_coordinates_ = largest_speed_ = largest_acceleration_ = 0;
+  grows_ = false;
 }
 
 void ObstacleBatch::reserve(std::size_t obstacles) {
@@ -43,8 +43,10 @@ void ObstacleBatch::add(const Obstacle& obstacle) {
   }
   bounding_radius.push_back(obstacle.radius() + reach);
   outline_end_.push_back(static_cast<std::uint32_t>(outline_edges_.size()));
-  largest_acceleration_ = std::max(largest_acceleration_, m.acceleration.norm());
-  bends_ = bends_ || largest_acceleration_ > 0 || obstacle.disc().radius_rate > 0;
+  largest_coordinates_ = std::max(largest_coordinates_, m.position.lpNorm<1>());
+  largest_speed_ = std::max(largest_speed_, m.velocity.lpNorm<1>());
+  largest_acceleration_ = std::max(largest_acceleration_, m.acceleration.lpNorm<1>());
+  grows_ = grows_ || obstacle.disc().radius_rate > 0;
 }
 
 Disc ObstacleBatch::disc(std::size_t i) const {

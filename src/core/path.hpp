@@ -67,6 +67,8 @@ class StraightPath {
   double lowestAcceleration(const PathState&, const Vec2& direction, double /*window*/) const {
     return direction.dot(motion_.acceleration);
   }
+  /// A direction fixed to the body is one fixed over ground.
+  static constexpr bool kBodyTurns = false;
 
  private:
   Motion motion_;
@@ -78,7 +80,11 @@ class PathSeenFromTurningBody {
  public:
   /// \param motion over ground, in the body's frame at t = 0
   /// \param body twist of the body's origin
-  PathSeenFromTurningBody(const Motion& motion, const Twist& body) : motion_(motion), body_(body) {}
+  PathSeenFromTurningBody(const Motion& motion, const Twist& body)
+      : motion_(motion),
+        body_(body),
+        acceleration_(motion.acceleration.norm()),
+        body_speed_(body.linear.norm()) {}
 
   PathState at(double t) const {
     const double w = body_.angular;
@@ -101,9 +107,8 @@ class PathSeenFromTurningBody {
   /// acceleration itself, whichever says more.
   double lowestAcceleration(const PathState& state, const Vec2& direction, double window) const {
     const double w = std::abs(body_.angular);
-    const double a = motion_.acceleration.norm();
+    const double a = acceleration_, travel = body_speed_;
     // Largest values within the window.
-    const double travel = body_.linear.norm();
     const double now = (state.velocity + body_.linear + body_.angular * leftNormal(state.position))
                            .norm();  // speed over ground
     const double speed = now + a * window;
@@ -113,9 +118,29 @@ class PathSeenFromTurningBody {
     return std::max(-acceleration, direction.dot(state.acceleration) - jerk * window / 3);
   }
 
+  static constexpr bool kBodyTurns = true;
+  /// [s] that the body takes to turn by this angle [rad]
+  double timeToTurn(double angle) const { return angle / std::abs(body_.angular); }
+  /// The same as lowestAcceleration() from a point of the body and along a direction that is fixed
+  /// over ground: that leaves only how the point of the body is carried round, however far away the
+  /// other is. \param from [m] the point of the body, \param direction along the body's axes now
+  double lowestAccelerationOverGround(const Vec2& from, const PathState& state,
+                                      const Vec2& direction, double window) const {
+    const double w = body_.angular;
+    const Vec2 velocity = body_.linear + w * leftNormal(from);
+    const double bend = std::abs(w) * velocity.norm();
+    const Vec2 over_ground = state.acceleration + w * leftNormal(2 * state.velocity + body_.linear +
+                                                                 w * leftNormal(state.position));
+    return std::max(
+        direction.dot(over_ground) - bend,
+        direction.dot(over_ground - w * leftNormal(velocity)) - std::abs(w) * bend * window / 3);
+  }
+
  private:
   Motion motion_;
   Twist body_;
+  double acceleration_;  ///< [m/s^2] over ground
+  double body_speed_;    ///< [m/s]
 };
 
 /// A point fixed on a body that turns, as seen from something that moves over ground with constant
@@ -125,7 +150,9 @@ class PathOfTurningPoint {
   /// \param seen_from motion over ground relative to where the point is at t = 0
   /// \param point twist of the body at the point
   PathOfTurningPoint(const Motion& seen_from, const Twist& point)
-      : seen_from_(seen_from), point_(point) {}
+      : seen_from_(seen_from),
+        point_(point),
+        bend_(std::abs(point.angular) * point.linear.norm()) {}
 
   PathState at(double t) const {
     const double w = point_.angular;
@@ -142,15 +169,16 @@ class PathOfTurningPoint {
                 0.5 * t * seen_from_.acceleration.lpNorm<1>());
   }
   double lowestAcceleration(const PathState& state, const Vec2& direction, double window) const {
-    const double w = std::abs(point_.angular);
-    const double bend = w * point_.linear.norm();
-    return std::max(-direction.dot(seen_from_.acceleration) - bend,
-                    direction.dot(state.acceleration) - w * bend * window / 3);
+    const double jerk = std::abs(point_.angular) * bend_;
+    return std::max(-direction.dot(seen_from_.acceleration) - bend_,
+                    direction.dot(state.acceleration) - jerk * window / 3);
   }
+  static constexpr bool kBodyTurns = false;
 
  private:
   Motion seen_from_;
   Twist point_;
+  double bend_;  ///< [m/s^2] towards the centre of rotation
 };
 
 }  // namespace footprint_collision_predictor::core

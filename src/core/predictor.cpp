@@ -32,9 +32,10 @@ std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twi
                                              const Obstacle& obstacle, double horizon) {
   if (!obstacle.outline().empty())
     return firstContact(footprint, twist, ObstacleBatch({obstacle}), horizon);
-  const Shape shape{obstacle.disc(), {}};
-  if (!mayTouch(footprint, twist, shape.disc, horizon)) return std::nullopt;
-  if (mayComeWithin(0, footprint, shape.disc, shape.disc.radius)) {
+  const Disc& disc = obstacle.disc();
+  if (!mayTouch(footprint, twist, disc, horizon)) return std::nullopt;
+  const Shape shape{disc, {}};
+  if (mayComeWithin(0, footprint, disc, disc.radius)) {
     const Nearest nearest = nearestNow(footprint, shape);
     if (nearest.gap <= 0) return contactNow(footprint, twist, shape, nearest);
   }

@@ -73,13 +73,12 @@ void describe(const InputReport& input, Status& status) {
   status.add("publishers", listed(input.publishers));
 }
 
-void describeTransforms(const Report& report, Status& status) {
-  const TransformReport& transforms = report.transforms;
+void describe(const TransformReport& transforms, const InputReport& obstacles, Status& status) {
   summarize(transforms.findings, "found for the newest obstacles", status);
-  if (transforms.findings.empty() && report.obstacles.findings.makeUnknown())
+  if (transforms.findings.empty() && obstacles.findings.makeUnknown())
     status.summary(DiagnosticStatus::WARN, "no fresh obstacles that would need a transform");
   status.add("from", transforms.frame);
-  status.add("to", transforms.base_frame);
+  status.add("to", transforms.body_frame);
   if (transforms.delay) status.add("delay [s]", *transforms.delay);
   status.add("waited for by the last message [s]", transforms.waited);
 }

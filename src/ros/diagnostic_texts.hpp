@@ -15,8 +15,8 @@ using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
 void describe(const CollisionWarning& warning, Status& status);
 void describe(const InputReport& input, Status& status);
-/// \param report of which the transforms are described; the obstacles tell whether they are in use
-void describeTransforms(const Report& report, Status& status);
+/// \param obstacles tell whether the transforms are in use
+void describe(const TransformReport& transforms, const InputReport& obstacles, Status& status);
 void describe(const ComputationReport& computation, double max_data_age, Status& status);
 void describe(const ClockReport& clock, Status& status);
 void describe(const MasterView& master, Status& status);

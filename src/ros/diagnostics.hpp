@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "master_watch.hpp"
 #include "reconfiguration.hpp"
@@ -18,13 +19,13 @@ class Diagnostics {
  public:
   /// What is asked directly, since it answers from any thread.
   struct Sources {
-    const WarningPublisher& warnings;
+    std::vector<const WarningPublisher*> warnings;  ///< at least one
     const MasterWatch& master;
     const Reconfiguration& reconfiguration;
   };
 
   /// \param sources outlive this
-  /// \param first tells which inputs there are
+  /// \param first tells which bodies and inputs there are, in the order of the warnings
   Diagnostics(ros::NodeHandle& node, ros::NodeHandle& private_node, const Sources& sources,
               const Report& first);
 
@@ -34,6 +35,9 @@ class Diagnostics {
  private:
   using Describe = std::function<void(const Report&, diagnostic_updater::DiagnosticStatusWrapper&)>;
 
+  void addLevels(const std::vector<BodyReport>& bodies);
+  void addFootprints(const std::vector<BodyReport>& bodies);
+  void addTransforms(const std::vector<BodyReport>& bodies);
   void add(const std::string& name, const Describe& describe);
   void publish();
 

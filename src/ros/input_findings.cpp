@@ -99,6 +99,13 @@ std::string staleText(const std::string& topic, double age, double max_data_age)
               duration(max_data_age), "): is its source running?");
 }
 
+std::string oldTransformsText(const std::string& fixed_frame, const std::string& frame, double age,
+                              double max_data_age) {
+  return join("the newest transform between \"", fixed_frame, "\" and \"", frame, "\" is ",
+              duration(age), " old (~max_data_age ", duration(max_data_age),
+              "), so that the motion of \"", frame, "\" is not known: is its source running?");
+}
+
 std::string ignoredText(const std::string& topic, std::size_t so_far) {
   return join("a message on ", topic, " older than the newest was ignored (", so_far,
               " so far): do several sources publish there?");

@@ -57,6 +57,10 @@ Findings odometryFindings(const nav_msgs::Odometry& odometry, const Moment& now,
 /// "the newest message on ... is ... old"
 std::string staleText(const std::string& topic, double age, double max_data_age);
 
+/// "the newest transform between ... and ... is ... old"
+std::string oldTransformsText(const std::string& fixed_frame, const std::string& frame, double age,
+                              double max_data_age);
+
 /// "a message on ... older than the newest was ignored"
 std::string ignoredText(const std::string& topic, std::size_t so_far);
 

@@ -1,7 +1,5 @@
 #include "inputs.hpp"
 
-#include <ros/console.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -12,13 +10,15 @@ namespace footprint_collision_predictor {
 
 using Warning = CollisionWarning;
 
-Inputs::Inputs(const Parameters& parameters, const InputNames& names, bool simulated_clock)
+Inputs::Inputs(const Parameters& parameters, const Body& body, const InputNames& names,
+               bool simulated_clock)
     : parameters_(parameters),
+      body_(body),
       clock_(simulated_clock, parameters.max_data_age),
       obstacles_(names.obstacles),
       footprints_(names.footprint),
       odometries_(names.odom),
-      footprint_(parameters.footprint) {}
+      footprint_(body.footprint) {}
 
 void Inputs::reconfigure(const Parameters& parameters) {
   parameters_ = parameters;
@@ -32,8 +32,6 @@ bool Inputs::forgetIfClockJumpedBack(const Moment& now) {
     odometry_.dropAfter(now.ros + ros::Duration(kLargestLead));
   }
   if (!clock_.jumpedBack(now)) return false;
-  ROS_WARN_STREAM("the clock jumped back to " << now.ros
-                                              << ": all inputs of the old time are dropped");
   jump_ = {};
   jump_.add(Warning::REASON_CLOCK, "the clock was set back, so that earlier inputs do not count");
   odometry_.clear();
@@ -98,7 +96,10 @@ Findings Inputs::missing(InputKind kind) const {
                      " yet: start the tracker, or remap obstacles to its topic");
   if (kind == InputKind::kFootprint && !footprint_)
     findings.add(Warning::REASON_FOOTPRINT_MISSING,
-                 "no footprint yet: set ~footprint, or publish one on " + topic);
+                 "no footprint yet: set " +
+                     std::string(parameters_.footprints.empty() ? "~footprint"
+                                                                : "its polygon in ~footprints") +
+                     ", or publish one on " + topic);
   if (kind == InputKind::kOdometry && odometry_.empty())
     findings.add(Warning::REASON_ODOM_MISSING,
                  "nothing has come on " + topic +
@@ -108,8 +109,8 @@ Findings Inputs::missing(InputKind kind) const {
 }
 
 Findings Inputs::standing(InputKind kind, const Moment& now) const {
-  if (kind == InputKind::kFootprint && parameters_.footprint) return {};
-  if (kind == InputKind::kOdometry && parameters_.ego_motion == EgoMotion::kStatic) return {};
+  if (kind == InputKind::kFootprint && body_.footprint) return {};
+  if (kind == InputKind::kOdometry && !needsOdometry(parameters_, body_)) return {};
   const InputRecord& input = record(kind);
   Findings findings = input.refusal();
   if (kind == InputKind::kOdometry) findings.add(out_of_order_);
@@ -125,7 +126,7 @@ Findings Inputs::standing(const Moment& now) const {
   return findings;
 }
 
-Findings Inputs::tooOld(const Moment& now, const std::optional<OdometrySample>& used) const {
+Findings Inputs::tooOld(const Moment& now, const MotionSource& used) const {
   const double limit = parameters_.max_data_age;
   Findings findings = clock_.findings(now);
   const bool obstacles_old = newest() && ageOf(obstacles_, now) > limit;
@@ -133,14 +134,20 @@ Findings Inputs::tooOld(const Moment& now, const std::optional<OdometrySample>& 
     findings.add(Warning::REASON_OBSTACLES_STALE,
                  staleText(obstacles_.topic(), ageOf(obstacles_, now), limit));
   // With old obstacles the odometry used is old as well, which says nothing about its source.
-  const double odometry_age = odometryAge(now, obstacles_old ? odometry_.at(now.ros) : used);
+  const double odometry_age =
+      odometryAge(now, obstacles_old ? odometry_.at(now.ros) : used.odometry);
   if (odometry_age > limit)
     findings.add(Warning::REASON_ODOM_STALE, staleText(odometries_.topic(), odometry_age, limit));
+  const double transforms_age = transformsAge(now, used);
+  if (!obstacles_old && transforms_age > limit)
+    findings.add(Warning::REASON_TRANSFORM,
+                 oldTransformsText(parameters_.fixed_frame, body_.frame, transforms_age, limit));
   return findings;
 }
 
-double Inputs::age(const Moment& now, const std::optional<OdometrySample>& used) const {
-  return std::max(ageOf(obstacles_, now), odometryAge(now, used));
+double Inputs::age(const Moment& now, const MotionSource& used) const {
+  return std::max(
+      {ageOf(obstacles_, now), odometryAge(now, used.odometry), transformsAge(now, used)});
 }
 
 InputReport Inputs::report(InputKind kind, const Moment& now) const {
@@ -171,6 +178,11 @@ double Inputs::ageOf(const InputRecord& input, const Moment& now) const {
 
 double Inputs::odometryAge(const Moment& now, const std::optional<OdometrySample>& sample) const {
   return sample ? ageOf(sample->stamp, sample->arrived, now) : 0;
+}
+
+/// They are no younger than the obstacles, whose age is told by the steady clock as well.
+double Inputs::transformsAge(const Moment& now, const MotionSource& used) {
+  return used.transforms ? std::max(0.0, secondsBetween(*used.transforms, now.ros)) : 0;
 }
 
 }  // namespace footprint_collision_predictor

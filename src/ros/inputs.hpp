@@ -11,6 +11,7 @@
 #include "input_record.hpp"
 #include "input_report.hpp"
 #include "moment.hpp"
+#include "motion_source.hpp"
 #include "odometry_history.hpp"
 #include "parameters.hpp"
 
@@ -25,7 +26,9 @@ struct InputNames {
 
 class Inputs {
  public:
-  Inputs(const Parameters& parameters, const InputNames& names, bool simulated_clock);
+  /// \param body whose footprint and motion they are
+  Inputs(const Parameters& parameters, const Body& body, const InputNames& names,
+         bool simulated_clock);
 
   /// \param parameters of which only those may differ that can be changed live
   void reconfigure(const Parameters& parameters);
@@ -60,10 +63,10 @@ class Inputs {
   /// What is missing, was refused, or comes from several nodes.
   Findings standing(const Moment& now) const;
   /// What is too old, and what is wrong with the clock: nothing can be told from such inputs.
-  /// \param used the odometry that the obstacles are evaluated with, if any
-  Findings tooOld(const Moment& now, const std::optional<OdometrySample>& used) const;
+  /// \param used the motion that the obstacles are evaluated with, if any
+  Findings tooOld(const Moment& now, const MotionSource& used) const;
   /// [s] of the oldest input; infinite before the first obstacles message.
-  double age(const Moment& now, const std::optional<OdometrySample>& used) const;
+  double age(const Moment& now, const MotionSource& used) const;
 
   /// What one input is like by itself.
   InputReport report(InputKind kind, const Moment& now) const;
@@ -77,8 +80,10 @@ class Inputs {
   double ageOf(const ros::Time& stamp, const ros::SteadyTime& arrived, const Moment& now) const;
   double ageOf(const InputRecord& input, const Moment& now) const;
   double odometryAge(const Moment& now, const std::optional<OdometrySample>& sample) const;
+  static double transformsAge(const Moment& now, const MotionSource& used);
 
   Parameters parameters_;
+  const Body& body_;
   ClockMonitor clock_;
   bool clock_started_ = false;
   InputRecord obstacles_;

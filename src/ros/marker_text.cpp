@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "footprint_name.hpp"
+
 namespace footprint_collision_predictor {
 namespace {
 
@@ -48,7 +50,7 @@ std::string shortened(const std::string& message) {
 }  // namespace
 
 std::string markerText(const CollisionWarning& warning, std::size_t undrawn) {
-  std::string text = levelName(warning.level);
+  std::string text = prefixFor(warning.footprint) + levelName(warning.level);
   if (warning.collision_predicted != 0)
     text += ": " + contactText(warning);
   else if (warning.level == CollisionWarning::CLEAR)

@@ -15,6 +15,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "diagnostics.hpp"
 #include "evaluation_times.hpp"
@@ -41,27 +42,45 @@ class Node {
   Node(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
        const XmlRpc::XmlRpcValue& values);
 
+  /// For one body of the robot.
+  struct Predictor {
+    Predictor(Node& node, const Body& body);
+
+    Pipeline pipeline;
+    WarningPublisher warnings;
+  };
+
   using Receive = void (Pipeline::*)(const RawMessage&, const Moment&);
 
   struct Input {
     std::string topic;
     Receive receive;
+    std::vector<const Predictor*> takers;
     ros::Subscriber subscriber;
     bool connected = false;  // since it was last looked at
   };
 
-  void addInput(const std::string& topic, Receive receive);
+  std::list<Predictor> makePredictors();
+  void addInputs(const Predictor& predictor);
+  void addInput(const std::string& topic, Receive receive, const Predictor& taker);
   void subscribe(Input& input);
+  void take(const Input& input, const RawMessage& message, const Moment& now);
   void renewAbandonedInputs();
   void subscribeTransforms(const std::string& topic, bool fixed);
   void takeTransforms(const tf2_msgs::TFMessage& message, bool fixed);
   void takeNewParameters();
-  void publish(const Answer& answer);
+  void publish(const Answer& answer, WarningPublisher& warnings);
   Report report(const Moment& now) const;
+  bool isWaiting() const;
   void work();
   void goRound(const Moment& now);
+  void repeat(const Moment& now);
+  void tellOfClock(const ClockReport& clock);
   void beat();
+  void beat(const Parameters& parameters, WarningPublisher& warnings, const Body& body);
+  void forEach(const std::function<void(Predictor&)>& step);
   void guarded(const std::function<void()>& step);
+  void sayFailed(const std::exception& error, Predictor& predictor);
 
   LiveParameters parameters_;
   std::shared_ptr<const Parameters> used_;  // by the pipeline
@@ -70,16 +89,17 @@ class Node {
   ros::CallbackQueue queue_;
   ros::Publisher predictions_;
   ros::Publisher markers_;
-  WarningPublisher warnings_;
   tf2::BufferCore tf_;
 
-  Pipeline pipeline_;
+  const std::uint32_t session_;
+  std::list<Predictor> predictors_;  // whose addresses stay
   EvaluationTimes times_;
   MasterWatch master_;
   Reconfiguration reconfiguration_;
   Diagnostics diagnostics_;
   ros::SteadyTime last_report_;
-  std::list<Input> inputs_;  // whose addresses stay
+  std::uint64_t jumps_told_ = 0;  // of the clock
+  std::list<Input> inputs_;       // whose addresses stay
   std::vector<ros::Subscriber> transform_subscribers_;
 
   std::mutex stop_mutex_;

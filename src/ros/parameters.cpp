@@ -1,144 +1,16 @@
 #include "parameters.hpp"
 
-#include <algorithm>
-#include <map>
 #include <sstream>
-#include <vector>
 
 #include "footprint_collision_predictor/motion.hpp"
-#include "footprint_parameter.hpp"
-#include "frame_names.hpp"
-#include "suggestion.hpp"
+#include "footprint_name.hpp"
+#include "footprints_parameter.hpp"
+#include "parameter_reader.hpp"
 
 namespace footprint_collision_predictor {
 namespace {
 
-using Value = XmlRpc::XmlRpcValue;
-
-std::string shown(const Value& value) {
-  std::ostringstream text;
-  value.write(text);
-  return text.str();
-}
-
-/// Reads the values one by one and collects every complaint, so that all are told at once.
-class Reader {
- public:
-  explicit Reader(const Value& values) {
-    if (values.getType() != Value::TypeStruct) return;
-    for (auto it = values.begin(); it != values.end(); ++it) values_.emplace(it->first, it->second);
-  }
-
-  void number(const std::string& name, double lowest, double highest, double& target) {
-    const Value* value = find(name);
-    if (!value) return;
-    std::ostringstream allowed;
-    allowed << "a number from " << lowest << " to " << highest;
-    const std::optional<double> read = asNumber(*value);
-    if (!read) {
-      const bool text = value->getType() == Value::TypeString;
-      complain(name, *value,
-               allowed.str() + (text ? " (YAML reads 1e-3 as text: write 0.001 or 1.0e-3)" : ""));
-    } else if (!(*read >= lowest && *read <= highest)) {
-      complain(name, *value, allowed.str());
-    } else {
-      target = *read;
-    }
-  }
-
-  void count(const std::string& name, int lowest, int highest, std::size_t& target) {
-    const Value* value = find(name);
-    if (!value) return;
-    const bool integer = value->getType() == Value::TypeInt;
-    const int read = integer ? static_cast<const int&>(*value) : 0;
-    if (integer && read >= lowest && read <= highest) {
-      target = static_cast<std::size_t>(read);
-    } else {
-      complain(name, *value,
-               "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
-    }
-  }
-
-  template <typename Choice>
-  void choice(const std::string& name, const std::map<std::string, Choice>& choices,
-              Choice& target) {
-    const Value* value = find(name);
-    if (!value) return;
-    const auto found = value->getType() == Value::TypeString
-                           ? choices.find(static_cast<const std::string&>(*value))
-                           : choices.end();
-    if (found != choices.end()) {
-      target = found->second;
-      return;
-    }
-    std::string allowed;
-    for (const auto& entry : choices) allowed += (allowed.empty() ? "" : " or ") + entry.first;
-    complain(name, *value, allowed);
-  }
-
-  void frame(const std::string& name, std::string& target) {
-    const Value* value = find(name);
-    if (!value) return;
-    if (value->getType() == Value::TypeString)
-      target = withoutLeadingSlash(static_cast<const std::string&>(*value));
-    if (value->getType() != Value::TypeString || target.empty())
-      complain(name, *value, "the name of a tf frame");
-  }
-
-  void footprint(std::size_t max_vertices, std::optional<core::Polygon>& target) try {
-    const Value* value = find("footprint");
-    if (!value) return;
-    const std::vector<core::Vec2> vertices = footprintVertices(*value);
-    if (vertices.size() > max_vertices)
-      throw std::invalid_argument("it has " + std::to_string(vertices.size()) +
-                                  " vertices, more than ~max_vertices " +
-                                  std::to_string(max_vertices));
-    target.emplace(vertices);
-  } catch (const std::invalid_argument& error) {
-    complaints_.push_back("~footprint is refused: " + std::string(error.what()));
-  }
-
-  void require(bool holds, const std::string& complaint) {
-    if (!holds) complaints_.push_back(complaint);
-  }
-
-  void refuseUnknown() {
-    for (const auto& entry : values_) {
-      if (std::find(known_.begin(), known_.end(), entry.first) != known_.end()) continue;
-      const std::string meant = nearestName(entry.first, known_);
-      complaints_.push_back("unknown parameter ~" + entry.first +
-                            (meant.empty() ? "" : "; did you mean ~" + meant + "?"));
-    }
-  }
-
-  void throwIfAny() const {
-    if (complaints_.empty()) return;
-    std::string all;
-    for (const std::string& complaint : complaints_) all += (all.empty() ? "" : "\n") + complaint;
-    throw ParameterError(all);
-  }
-
- private:
-  const Value* find(const std::string& name) {
-    known_.push_back(name);
-    const auto found = values_.find(name);
-    return found == values_.end() ? nullptr : &found->second;
-  }
-
-  static std::optional<double> asNumber(const Value& value) {
-    if (value.getType() == Value::TypeInt) return static_cast<const int&>(value);
-    if (value.getType() == Value::TypeDouble) return static_cast<const double&>(value);
-    return std::nullopt;
-  }
-
-  void complain(const std::string& name, const Value& value, const std::string& allowed) {
-    complaints_.push_back("~" + name + " is " + shown(value) + "; allowed is " + allowed);
-  }
-
-  std::map<std::string, Value> values_;
-  std::vector<std::string> known_;
-  std::vector<std::string> complaints_;
-};
+using Reader = ParameterReader;
 
 std::string text(double value) {
   std::ostringstream stream;
@@ -158,6 +30,15 @@ void requireConsistent(const Parameters& p, Reader& reader) {
                  "~transform_tolerance " + text(p.transform_tolerance) +
                      " is above ~max_data_age " + text(p.max_data_age) +
                      "; a message would be too old when its transform comes");
+  reader.require(!(reader.has("footprint") && reader.has("footprints")),
+                 "~footprint and ~footprints are both set; allowed is one of them");
+}
+
+void throwIfAny(const std::vector<std::string>& complaints) {
+  if (complaints.empty()) return;
+  std::string all;
+  for (const std::string& complaint : complaints) all += (all.empty() ? "" : "\n") + complaint;
+  throw ParameterError(all);
 }
 
 }  // namespace
@@ -189,11 +70,22 @@ Parameters parametersFrom(const XmlRpc::XmlRpcValue& values) {
                                         p.obstacle_detector_radius);
   double diagnostic_period = 1;  // is read by diagnostic_updater, which throws for a wrong one
   reader.number("diagnostic_period", 0.01, 60, diagnostic_period);
-  reader.footprint(p.max_vertices, p.footprint);
+  reader.polygon("footprint", p.max_vertices, p.footprint);
+  readFootprints(reader, p);
   reader.refuseUnknown();
   requireConsistent(p, reader);
-  reader.throwIfAny();
+  throwIfAny(reader.complaints());
   return p;
+}
+
+std::vector<Body> bodiesOf(const Parameters& p) {
+  if (!p.footprints.empty()) return p.footprints;
+  return {{kOnlyFootprint, p.base_frame, p.footprint, "footprint", baseMotion(p)}};
+}
+
+bool needsOdometry(const Parameters& p, const Body& body) {
+  const bool seen_from_base = p.obstacle_velocity == ObstacleVelocity::kRelative;
+  return body.motion == BodyMotion::kOdom || (seen_from_base && p.ego_motion == EgoMotion::kOdom);
 }
 
 }  // namespace footprint_collision_predictor

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "footprint_collision_predictor/polygon.hpp"
 #include "footprint_collision_predictor/warning.hpp"
@@ -14,11 +15,24 @@
 namespace footprint_collision_predictor {
 
 enum class EgoMotion { kOdom, kStatic };
+/// Where the motion of a body comes from. Odometry is carried over rigidly to the body's frame;
+/// from tf it is that of the body's frame over fixed_frame.
+enum class BodyMotion { kOdom, kTf, kStatic };
 enum class ObstacleVelocity { kOverGround, kRelative };
 enum class ObstacleDetectorRadius { kTrueRadius, kRadius };
 
+/// A rigid part of the robot with a footprint of its own.
+struct Body {
+  std::string name;
+  std::string frame;
+  std::optional<core::Polygon> footprint;  ///< in its frame [m]; nothing: taken from the topic
+  std::string topic;                       ///< of the footprint
+  BodyMotion motion;
+};
+
 struct Parameters {
   std::optional<core::Polygon> footprint;  ///< in base_frame [m]; nothing: taken from the topic
+  std::vector<Body> footprints;  ///< of a robot of several bodies; empty: footprint counts
   std::string base_frame = "base_link";
   std::string fixed_frame = "odom";
   double horizon = 5;  ///< [s]
@@ -45,5 +59,12 @@ class ParameterError : public std::runtime_error {
 /// a
 ///     default because it was wrong
 Parameters parametersFrom(const XmlRpc::XmlRpcValue& values);
+
+/// At least one: those of footprints, else the base alone, named "footprint".
+std::vector<Body> bodiesOf(const Parameters& parameters);
+
+/// Whether what the body may touch cannot be told without odometry: for its own motion, or for that
+/// of the base, from which relative velocities are seen.
+bool needsOdometry(const Parameters& parameters, const Body& body);
 
 }  // namespace footprint_collision_predictor

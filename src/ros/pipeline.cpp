@@ -9,16 +9,17 @@ namespace footprint_collision_predictor {
 
 using Warning = CollisionWarning;
 
-Pipeline::Pipeline(const Parameters& parameters, const InputNames& names, tf2::BufferCore& tf,
-                   bool simulated_clock, Publish publish)
+Pipeline::Pipeline(const Parameters& parameters, const Body& body, const InputNames& names,
+                   tf2::BufferCore& tf, bool simulated_clock, Publish publish)
     : parameters_(parameters),
+      body_(body),
       names_(names),
       tf_(tf),
       publish_(std::move(publish)),
       simulated_clock_(simulated_clock),
-      inputs_(parameters, names, simulated_clock),
+      inputs_(parameters, body_, names, simulated_clock),
       level_(parameters.thresholds, parameters.clear_after),
-      queue_(parameters_, tf_, inputs_.odometry()) {}
+      queue_(parameters_, body_, tf_, inputs_.odometry()) {}
 
 void Pipeline::receiveObstacles(const RawMessage& raw, const Moment& now) {
   watchClock(now);
@@ -77,13 +78,13 @@ void Pipeline::process(const Moment& now) {
 
 CollisionWarning Pipeline::repeat(const Moment& now) {
   watchClock(now);
-  if (!scene_ || inputs_.tooOld(now, scene_->odometry).makeUnknown()) adoptPending();
+  if (!scene_ || inputs_.tooOld(now, motion()).makeUnknown()) adoptPending();
   return warningNow(now, Counts::kNot);
 }
 
 visualization_msgs::MarkerArray Pipeline::picture(const CollisionWarning& repeated,
                                                   const Moment& now) const {
-  const bool usable = scene_ && !inputs_.tooOld(now, scene_->odometry).makeUnknown();
+  const bool usable = scene_ && !inputs_.tooOld(now, motion()).makeUnknown();
   const auto& footprint = inputs_.footprint();
   return markers(repeated, usable ? &*scene_ : nullptr, footprint ? &*footprint : nullptr,
                  parameters_.thresholds);
@@ -139,7 +140,7 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   try {
     if (inputs_.footprint())
       scene = makeScene(message, arrived.steady, *inputs_.footprint(), inputs_.odometry(), tf_,
-                        parameters_);
+                        parameters_, body_);
   } catch (const TransformError& error) {
     Findings untransformed;
     untransformed.add(Warning::REASON_TRANSFORM, error.what());
@@ -150,14 +151,14 @@ void Pipeline::evaluate(const ObstacleArray& message, const Moment& arrived, con
   inputs_.acceptObstacles({stamp, arrived.steady});
   scene_ = std::move(scene);
   const Counts counts = newest && newest->ros == stamp ? Counts::kAsReplacement : Counts::kAsNew;
-  Findings findings = inputs_.tooOld(now, scene_ ? scene_->odometry : std::nullopt);
+  Findings findings = inputs_.tooOld(now, motion());
   const bool usable = scene_ && !findings.makeUnknown();
   findings.add(inputs_.standing(now));
   if (!usable) return publish_({warning(nullptr, stamp, findings, now, counts), {}, now});
   findings.add(scene_->findings);
   const Evaluated evaluated{*scene_, core::predict(scene_->footprint, scene_->twist,
                                                    scene_->obstacles.in_body, scene_->horizon)};
-  const CollisionPrediction prediction = predictionMsg(evaluated, findings, parameters_);
+  const CollisionPrediction prediction = predictionMsg(evaluated, findings, parameters_, body_);
   publish_({warning(&evaluated, stamp, findings, now, counts), prediction, now});
 }
 
@@ -167,9 +168,9 @@ void Pipeline::adopt(const geometry_msgs::PolygonStamped& message, const Moment&
   Findings problem;
   try {
     if (header.frame_id.empty()) throw TransformError("its frame_id is empty");
-    if (header.stamp.isZero() && header.frame_id != parameters_.base_frame)
+    if (header.stamp.isZero() && header.frame_id != body_.frame)
       throw TransformError("its stamp is 0, so its place on the robot is not known");
-    const PlanarPose body = lookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp);
+    const PlanarPose body = lookUpPose(tf_, header.frame_id, body_.frame, header.stamp);
     inputs_.acceptFootprint(core::Polygon(toCore(message.polygon, body)),
                             {header.stamp, arrived.steady});
     if (scene_) scene_->footprint = *inputs_.footprint();
@@ -191,7 +192,7 @@ void Pipeline::refuse(const Findings& why, const Moment& now) {
 }
 
 CollisionWarning Pipeline::warningNow(const Moment& now, Counts counts, Findings findings) {
-  findings.add(inputs_.tooOld(now, scene_ ? scene_->odometry : std::nullopt));
+  findings.add(inputs_.tooOld(now, motion()));
   const bool usable = scene_ && !findings.makeUnknown();
   findings.add(inputs_.standing(now));
   if (!usable) return warning(nullptr, now.ros, findings, now, counts);
@@ -214,8 +215,8 @@ CollisionWarning Pipeline::warning(const Evaluated* evaluated, const ros::Time& 
     sight = {true, first ? std::make_optional(first->contact.time) : std::nullopt};
   }
   const core::Level level = level_.judge(sight, counts, findings);
-  CollisionWarning msg = warningMsg(evaluated, stamp, level, findings, parameters_);
-  msg.data_age = inputs_.age(now, scene_ ? scene_->odometry : std::nullopt);
+  CollisionWarning msg = warningMsg(evaluated, stamp, level, findings, parameters_, body_);
+  msg.data_age = inputs_.age(now, motion());
   return msg;
 }
 

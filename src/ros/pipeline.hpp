@@ -1,5 +1,6 @@
 // From messages to warnings: everything the node knows, without the node. It is driven by whoever
-// has messages and clocks (a live node, or a recording), one call at a time.
+// has messages and clocks (a live node, or a recording), one call at a time. A robot of several
+// bodies has one for each: so none waits for, or is held up by, what another lacks.
 #pragma once
 
 #include <tf2/buffer_core.h>
@@ -32,8 +33,12 @@ class Pipeline {
  public:
   using Publish = std::function<void(const Answer&)>;
 
-  Pipeline(const Parameters& parameters, const InputNames& names, tf2::BufferCore& tf,
-           bool simulated_clock, Publish publish);
+  Pipeline(const Parameters& parameters, const Body& body, const InputNames& names,
+           tf2::BufferCore& tf, bool simulated_clock, Publish publish);
+  Pipeline(const Pipeline&) = delete;  // its parts know each other
+  Pipeline& operator=(const Pipeline&) = delete;
+
+  const Body& body() const { return body_; }
 
   /// Takes effect with the next obstacles message, so that no evaluation mixes old and new; at once
   /// when nothing is being predicted.
@@ -73,12 +78,14 @@ class Pipeline {
   void refuse(const Findings& why, const Moment& now);
   TransformReport transformReport(const Moment& now) const;
 
+  MotionSource motion() const { return scene_ ? scene_->motion : MotionSource(); }
   CollisionWarning warningNow(const Moment& now, Counts counts, Findings findings = {});
   CollisionWarning warning(const Evaluated* evaluated, const ros::Time& stamp, Findings& findings,
                            const Moment& now, Counts counts);
 
   Parameters parameters_;
   std::optional<Parameters> pending_;
+  const Body body_;
   const InputNames names_;
   tf2::BufferCore& tf_;
   const Publish publish_;

@@ -20,25 +20,27 @@ Report Pipeline::report(const Moment& now) const {
   report.made = now.steady;
   report.max_data_age = parameters_.max_data_age;
   report.obstacles = inputs_.report(InputKind::kObstacles, now);
-  if (!parameters_.footprint) report.footprint = inputs_.report(InputKind::kFootprint, now);
-  if (parameters_.ego_motion == EgoMotion::kOdom)
+  if (needsOdometry(parameters_, body_))
     report.odometry = inputs_.report(InputKind::kOdometry, now);
   if (scene_) {
     report.obstacles.findings.add(scene_->findings.with(kOfObstacles));
     if (report.odometry) report.odometry->findings.add(scene_->findings.with(kOfOdometry));
   }
-  report.transforms = transformReport(now);
+  BodyReport body{body_.name, {}, transformReport(now)};
+  if (!body_.footprint) body.footprint = inputs_.report(InputKind::kFootprint, now);
+  report.bodies.push_back(std::move(body));
   report.clock = inputs_.clockReport(now);
   return report;
 }
 
 TransformReport Pipeline::transformReport(const Moment& now) const {
-  TransformReport report{parameters_.base_frame, obstacles_frame_, {}, waited_, {}};
+  TransformReport report{body_.frame, obstacles_frame_, {}, waited_, {}};
   Findings all = inputs_.standing(now);
   if (scene_) all.add(scene_->findings);
+  all.add(inputs_.tooOld(now, motion()));
   report.findings = all.with(Warning::REASON_TRANSFORM);
   if (obstacles_frame_.empty()) return report;
-  const auto newest = newestTransform(tf_, obstacles_frame_, parameters_.base_frame);
+  const auto newest = newestTransform(tf_, obstacles_frame_, body_.frame);
   if (newest) report.delay = newest->isZero() ? 0 : secondsBetween(*newest, now.ros);
   return report;
 }

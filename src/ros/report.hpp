@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "clock_monitor.hpp"
 #include "input_report.hpp"
@@ -11,7 +12,7 @@
 namespace footprint_collision_predictor {
 
 struct TransformReport {
-  std::string base_frame;
+  std::string body_frame;
   std::string frame;            ///< of the newest obstacles message; empty before the first
   std::optional<double> delay;  ///< [s] by which the newest transform between them is old; 0 when
                                 ///< it never changes; nothing when there is none
@@ -29,13 +30,18 @@ struct ComputationReport {
   double since_last = 0;          ///< [s]; infinite before the first
 };
 
+struct BodyReport {
+  std::string name;
+  std::optional<InputReport> footprint;  ///< nothing where it is a parameter
+  TransformReport transforms;
+};
+
 struct Report {
   ros::SteadyTime made;
   double max_data_age = 0;  ///< [s]
   InputReport obstacles;
-  std::optional<InputReport> footprint;  ///< nothing where it is a parameter
-  std::optional<InputReport> odometry;   ///< nothing where the robot stands still
-  TransformReport transforms;
+  std::optional<InputReport> odometry;  ///< nothing where no body needs it
+  std::vector<BodyReport> bodies;
   ComputationReport computation;
   ClockReport clock;
 };

@@ -4,6 +4,9 @@
 #include <iomanip>
 #include <sstream>
 
+#include "frame_motion.hpp"
+#include "input_findings.hpp"
+
 namespace footprint_collision_predictor {
 namespace {
 
@@ -35,49 +38,77 @@ std::optional<OdometrySample> odometryAt(const ros::Time& stamp, const OdometryH
   return std::nullopt;
 }
 
-/// Fills twist, horizon and odometry.
-void setMotion(const OdometryHistory& odometry, const tf2::BufferCore& tf, const Parameters& p,
-               Scene& scene) try {
-  if (p.ego_motion == EgoMotion::kStatic) return;
-  scene.horizon = 0;
-  scene.odometry = odometryAt(scene.stamp, odometry, p.max_data_age, scene.findings);
-  if (!scene.odometry) return;
-  const PlanarPose from = lookUpPose(tf, p.base_frame, scene.odometry->frame, scene.stamp);
-  scene.twist = carriedOver(scene.odometry->twist, from);
-  scene.horizon = p.horizon;
+/// Of the base, told for the body's frame as if that were rigid to it; or nothing and a finding.
+std::optional<core::Twist> baseTwist(const OdometryHistory& odometry, const tf2::BufferCore& tf,
+                                     const Parameters& p, const Body& body, Scene& scene) try {
+  scene.motion.odometry = odometryAt(scene.stamp, odometry, p.max_data_age, scene.findings);
+  if (!scene.motion.odometry) return std::nullopt;
+  const PlanarPose from = lookUpPose(tf, body.frame, scene.motion.odometry->frame, scene.stamp);
+  return carriedOver(scene.motion.odometry->twist, from);
 } catch (const TransformError& error) {
   scene.findings.add(CollisionWarning::REASON_TRANSFORM, error.what());
+  return std::nullopt;
 }
 
-/// Velocities as seen from a frame on the robot get the motion of that frame added.
-core::Twist headerMotion(const ObstacleArray& message, const PlanarPose& body, const Scene& scene,
+/// Of the body's frame by itself; or nothing and a finding.
+std::optional<core::Twist> frameTwist(const tf2::BufferCore& tf, const Parameters& p,
+                                      const Body& body, Scene& scene) try {
+  const FrameMotion motion = frameMotion(tf, p.fixed_frame, body.frame, scene.stamp);
+  const double age = secondsBetween(motion.newest, scene.stamp);
+  if (age > p.max_data_age)
+    throw TransformError(oldTransformsText(p.fixed_frame, body.frame, age, p.max_data_age));
+  scene.motion.transforms = motion.newest;
+  return motion.twist;
+} catch (const TransformError& error) {
+  scene.findings.add(CollisionWarning::REASON_TRANSFORM, error.what());
+  return std::nullopt;
+}
+
+/// Fills twist, horizon and motion. \return the twist of the base, as far as it is needed
+core::Twist setMotion(const OdometryHistory& odometry, const tf2::BufferCore& tf,
+                      const Parameters& p, const Body& body, Scene& scene) {
+  const core::Twist still;
+  const auto base =
+      needsOdometry(p, body) ? baseTwist(odometry, tf, p, body, scene) : std::optional(still);
+  const auto own = body.motion == BodyMotion::kOdom ? base
+                   : body.motion == BodyMotion::kTf ? frameTwist(tf, p, body, scene)
+                                                    : std::optional(still);
+  scene.twist = own.value_or(still);
+  scene.horizon = base && own ? p.horizon : 0;
+  return base.value_or(still);
+}
+
+/// Velocities as seen from a frame on the base get the motion of that frame added.
+/// \param base its twist at the body's frame
+core::Twist headerMotion(const ObstacleArray& message, const core::Twist& base,
                          const tf2::BufferCore& tf, const Parameters& p) {
   if (p.obstacle_velocity == ObstacleVelocity::kOverGround) return {};
   const std::string& frame = message.header.frame_id;
-  if (frame == p.base_frame) return scene.twist;
-  const ros::Duration back(std::min(p.max_data_age, scene.stamp.toSec() / 2));
-  const PlanarPose before = lookUpPose(tf, frame, p.base_frame, scene.stamp - back);
-  const double moved =
-      (before.position - body.position).norm() + (before.x_axis - body.x_axis).norm();
+  if (frame == p.base_frame) return base;
+  const ros::Time& stamp = message.header.stamp;
+  const ros::Duration back(std::min(p.max_data_age, stamp.toSec() / 2));
+  const PlanarPose at = lookUpPose(tf, frame, p.base_frame, stamp);
+  const PlanarPose before = lookUpPose(tf, frame, p.base_frame, stamp - back);
+  const double moved = (before.position - at.position).norm() + (before.x_axis - at.x_axis).norm();
   if (frame == p.fixed_frame || moved > kRigidTolerance)
     throw TransformError("obstacle velocities are said to be relative, but their frame \"" + frame +
                          "\" is not rigid to \"" + p.base_frame +
                          "\": set ~obstacle_velocity to over_ground, or publish in a frame of the "
                          "robot");
-  return scene.twist;
+  return base;
 }
 
 }  // namespace
 
 Scene makeScene(const ObstacleArray& message, const ros::SteadyTime& arrived,
                 const core::Polygon& footprint, const OdometryHistory& odometry,
-                const tf2::BufferCore& tf, const Parameters& parameters) {
+                const tf2::BufferCore& tf, const Parameters& parameters, const Body& body) {
   const ros::Time& stamp = message.header.stamp;
-  const PlanarPose body = lookUpPose(tf, message.header.frame_id, parameters.base_frame, stamp);
+  const PlanarPose pose = lookUpPose(tf, message.header.frame_id, body.frame, stamp);
   const auto count = static_cast<std::uint32_t>(message.obstacles.size());
   Scene scene{stamp, arrived, footprint, {}, parameters.horizon, {}, {}, count, {}};
-  setMotion(odometry, tf, parameters, scene);
-  scene.obstacles = toCore(message, body, headerMotion(message, body, scene, tf, parameters));
+  const core::Twist base = setMotion(odometry, tf, parameters, body, scene);
+  scene.obstacles = toCore(message, pose, headerMotion(message, base, tf, parameters));
   scene.findings.add(scene.obstacles.findings);
   return scene;
 }

@@ -9,6 +9,7 @@
 
 #include "conversions.hpp"
 #include "moment.hpp"
+#include "motion_source.hpp"
 #include "odometry_history.hpp"
 #include "parameters.hpp"
 
@@ -22,17 +23,18 @@ struct Scene {
   /// How far ahead the motions hold [s]: 0 when the footprint's motion is not known, since only
   /// what touches now is certain then.
   double horizon;
-  std::optional<OdometrySample> odometry;  ///< that the twist was taken from
+  MotionSource motion;
   SceneObstacles obstacles;
   std::uint32_t obstacle_count;
   Findings findings;
 };
 
 /// \param arrived when the message arrived
-/// \throws TransformError when the obstacles cannot be brought into the body frame
+/// \param footprint of the body
+/// \throws TransformError when the obstacles cannot be brought into the body's frame
 Scene makeScene(const ObstacleArray& message, const ros::SteadyTime& arrived,
                 const core::Polygon& footprint, const OdometryHistory& odometry,
-                const tf2::BufferCore& tf, const Parameters& parameters);
+                const tf2::BufferCore& tf, const Parameters& parameters, const Body& body);
 
 /// The obstacles as they are `dt` [s] after the scene's stamp, in the footprint's frame of then.
 std::vector<core::Obstacle> carriedOn(const Scene& scene, double dt);

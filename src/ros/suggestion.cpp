@@ -6,6 +6,8 @@
 namespace footprint_collision_predictor {
 namespace {
 
+constexpr std::size_t kLongEnough = 3;  // [characters] to be taken for the begin of a name
+
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -24,6 +26,9 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearestName(const std::string& name, const std::vector<std::string>& candidates) {
+  if (name.size() >= kLongEnough)
+    for (const std::string& candidate : candidates)
+      if (candidate.compare(0, name.size(), name) == 0) return candidate;
   std::string nearest;
   std::size_t fewest = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {

@@ -15,9 +15,9 @@ bool isHopeless(const std_msgs::Header& header) {
 
 }  // namespace
 
-WaitingQueue::WaitingQueue(const Parameters& parameters, const tf2::BufferCore& tf,
-                           const OdometryHistory& odometry)
-    : parameters_(parameters), tf_(tf), odometry_(odometry) {}
+WaitingQueue::WaitingQueue(const Parameters& parameters, const Body& body,
+                           const tf2::BufferCore& tf, const OdometryHistory& odometry)
+    : parameters_(parameters), body_(body), tf_(tf), odometry_(odometry) {}
 
 std::optional<Waiting> WaitingQueue::pop(const Moment& now) {
   if (queue_.empty()) return std::nullopt;
@@ -41,14 +41,16 @@ bool WaitingQueue::isReady(const Waiting& waiting, const Moment& now) const {
 
 bool WaitingQueue::isPlaced(const std_msgs::Header& header, const Moment& now) const {
   const bool clock_started = !now.ros.isZero();
-  return clock_started && canLookUpPose(tf_, header.frame_id, parameters_.base_frame, header.stamp);
+  return clock_started && canLookUpPose(tf_, header.frame_id, body_.frame, header.stamp);
 }
 
 bool WaitingQueue::hasMotion(const ros::Time& stamp) const {
-  if (parameters_.ego_motion == EgoMotion::kStatic) return true;
+  const bool by_tf = body_.motion == BodyMotion::kTf;
+  if (by_tf && !canLookUpPose(tf_, parameters_.fixed_frame, body_.frame, stamp)) return false;
+  if (!needsOdometry(parameters_, body_)) return true;
   if (!odometry_.reaches(stamp)) return false;
   const auto sample = odometry_.at(stamp);
-  return !sample || canLookUpPose(tf_, parameters_.base_frame, sample->frame, stamp);
+  return !sample || canLookUpPose(tf_, body_.frame, sample->frame, stamp);
 }
 
 }  // namespace footprint_collision_predictor

@@ -33,7 +33,8 @@ struct Waiting {
 /// Bounded: when full, the oldest is handed out at once, with what is known by then.
 class WaitingQueue {
  public:
-  WaitingQueue(const Parameters& parameters, const tf2::BufferCore& tf,
+  /// \param body whose frame and motion are waited for
+  WaitingQueue(const Parameters& parameters, const Body& body, const tf2::BufferCore& tf,
                const OdometryHistory& odometry);
 
   void push(Waiting waiting) { queue_.push_back(std::move(waiting)); }
@@ -49,6 +50,7 @@ class WaitingQueue {
   bool hasMotion(const ros::Time& stamp) const;
 
   const Parameters& parameters_;
+  const Body& body_;
   const tf2::BufferCore& tf_;
   const OdometryHistory& odometry_;
   std::deque<Waiting> queue_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "footprint_collision_predictor/warning.hpp"
+#include "footprint_name.hpp"
 #include "moment.hpp"
 
 namespace footprint_collision_predictor {
@@ -46,7 +47,7 @@ std::string named(std::uint32_t reasons) {
 std::string described(const Warning& warning, const std::string& over) {
   static const char* const kNames[] = {"UNKNOWN", "CLEAR", "WARN", "CRITICAL"};
   std::ostringstream text;
-  text << kNames[warning.level];
+  text << prefixFor(warning.footprint) << kNames[warning.level];
   if (warning.collision_predicted != 0)
     text << ": contact in " << warning.time_to_collision << " s, segment " << warning.segment
          << ", obstacle " << warning.obstacle_id;

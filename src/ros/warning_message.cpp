@@ -10,8 +10,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 using Warning = CollisionWarning;
 
-constexpr char kFootprintName[] = "footprint";  // the only one of this node
-
 void fillContact(const core::FootprintContact& first, const Evaluated& evaluated,
                  CollisionWarning& msg) {
   msg.collision_predicted = 1;
@@ -45,11 +43,12 @@ void addUnknown(std::uint32_t reason, const std::string& words, CollisionWarning
 }  // namespace
 
 CollisionWarning warningMsg(const Evaluated* evaluated, const ros::Time& stamp, core::Level level,
-                            const Findings& findings, const Parameters& parameters) {
+                            const Findings& findings, const Parameters& parameters,
+                            const Body& body) {
   CollisionWarning msg;
   msg.header.stamp = stamp;
-  msg.header.frame_id = parameters.base_frame;
-  msg.footprint = kFootprintName;
+  msg.header.frame_id = body.frame;
+  msg.footprint = body.name;
   msg.level = static_cast<std::uint8_t>(level);
   msg.time_to_collision = findings.makeUnknown() ? kNaN : kInfinity;
   msg.horizon = parameters.horizon;
@@ -71,12 +70,12 @@ CollisionWarning warningMsg(const Evaluated* evaluated, const ros::Time& stamp, 
 }
 
 CollisionPrediction predictionMsg(const Evaluated& evaluated, const Findings& findings,
-                                  const Parameters& parameters) {
+                                  const Parameters& parameters, const Body& body) {
   const Scene& scene = evaluated.scene;
   CollisionPrediction msg;
   msg.header.stamp = scene.stamp;
-  msg.header.frame_id = parameters.base_frame;
-  msg.footprint = kFootprintName;
+  msg.header.frame_id = body.frame;
+  msg.footprint = body.name;
   msg.area = scene.footprint.area();
   msg.centroid = toMsg(scene.footprint.centroid());
   msg.twist = toMsg(scene.twist);

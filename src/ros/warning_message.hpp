@@ -19,13 +19,14 @@ struct Evaluated {
 /// \param evaluated null when nothing could be evaluated
 /// \param findings all that is known to be wrong
 CollisionWarning warningMsg(const Evaluated* evaluated, const ros::Time& stamp, core::Level level,
-                            const Findings& findings, const Parameters& parameters);
+                            const Findings& findings, const Parameters& parameters,
+                            const Body& body);
 
 /// \param findings about the inputs: with an UNKNOWN reason, segments without a certain contact
 /// read
 ///     as unknown. (REASON_SETTLING is about the level alone, so it is not among them.)
 CollisionPrediction predictionMsg(const Evaluated& evaluated, const Findings& findings,
-                                  const Parameters& parameters);
+                                  const Parameters& parameters, const Body& body);
 
 /// A warning as it is when it goes out some seconds after the moment for which it was made: its
 /// data are older by then, and too old data make it UNKNOWN.

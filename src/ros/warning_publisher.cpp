@@ -2,8 +2,6 @@
 
 #include <ros/console.h>
 
-#include <random>
-
 #include "moment.hpp"
 
 namespace footprint_collision_predictor {
@@ -22,10 +20,10 @@ void log(const LogLine& line) {
 
 }  // namespace
 
-WarningPublisher::WarningPublisher(ros::NodeHandle& node)
+WarningPublisher::WarningPublisher(ros::NodeHandle& node, std::uint32_t session)
     : publisher_(node.advertise<CollisionWarning>("collision_warning", kQueueSize)),
       last_time_(ros::SteadyTime::now()) {
-  last_.session = std::random_device{}();
+  last_.session = session;
 }
 
 void WarningPublisher::publish(const CollisionWarning& warning) {

@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
+#include <cstdint>
 #include <functional>
 #include <mutex>
 
@@ -12,10 +13,11 @@
 
 namespace footprint_collision_predictor {
 
-/// Thread-safe. Fills in `sequence` and `session`, and logs changes of level and of reasons.
+/// For one footprint; several share the topic. Thread-safe. Fills in `sequence` and `session`, and
+/// logs changes of level and of reasons.
 class WarningPublisher {
  public:
-  explicit WarningPublisher(ros::NodeHandle& node);
+  WarningPublisher(ros::NodeHandle& node, std::uint32_t session);
 
   void publish(const CollisionWarning& warning);
 

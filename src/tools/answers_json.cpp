@@ -26,6 +26,7 @@ Answers parse(const Json& json) {
   answers.contact = optionalAt<double>(json, "contact_after");
   answers.first_warn = sinceStart(json, "first_warn_stamp");
   answers.first_critical = sinceStart(json, "first_critical_stamp");
+  if (json.contains("footprint")) answers.footprint = optionalAt<std::string>(json, "footprint");
   answers.segment = optionalAt<int>(json, "segment");
   answers.obstacle_id = optionalAt<std::int64_t>(json, "obstacle_id");
   answers.warn_time = json.at("parameters").at("warn_time").get<double>();

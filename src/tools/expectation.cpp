@@ -63,6 +63,7 @@ std::vector<std::string> Expectation::disagreements() const {
   const auto& first = warn_->warning;
   const double contact = warn_->t + first.time_to_collision;
   check(std::abs(contact - *answers_.contact) <= kTolerance, "the moment of contact");
+  check(!answers_.footprint || first.footprint == *answers_.footprint, "the footprint");
   check(first.segment == *answers_.segment, "the segment");
   check(first.obstacle_id == *answers_.obstacle_id, "the obstacle");
   check(risesInTime(warn_->t, *answers_.first_warn, *answers_.contact, answers_.warn_time),

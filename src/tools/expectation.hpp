@@ -24,6 +24,7 @@ struct Answers {
   std::optional<double> contact;
   std::optional<double> first_warn;
   std::optional<double> first_critical;
+  std::optional<std::string> footprint;  ///< nothing where the robot has only one
   std::optional<int> segment;
   std::optional<std::int64_t> obstacle_id;
   double warn_time;

@@ -11,6 +11,7 @@ using Json = nlohmann::ordered_json;
 
 /// The first contact of one body at one message.
 struct First {
+  std::string footprint;
   double t;  ///< [s] of the message, since the start
   double time;
   int segment;
@@ -31,7 +32,7 @@ BodyAnswer answerFor(const Scenario& scenario, const Body& body, const std::vect
     answer.segments.push_back(contact);
     // The same corner may come out a rounding apart for its two segments; the lower one is named.
     if (contact && (!answer.first || contact->time < answer.first->time - 1e-12))
-      answer.first = First{t, contact->time, number, contact->obstacle_id};
+      answer.first = First{body.name, t, contact->time, number, contact->obstacle_id};
   }
   return answer;
 }
@@ -114,6 +115,8 @@ Json expectedAnswers(const Scenario& scenario, const ScenarioOptions& options) {
   json["start"] = kStartSecond;
   json["contact_time"] = first ? Json(kStartSecond + first->t + first->time) : Json(nullptr);
   json["contact_after"] = first ? Json(first->t + first->time) : Json(nullptr);
+  if (scenario.bodies.size() > 1)
+    json["footprint"] = first ? Json(first->footprint) : Json(nullptr);
   json["segment"] = first ? Json(first->segment) : Json(nullptr);
   json["obstacle_id"] = first ? Json(first->obstacle_id) : Json(nullptr);
   json["first_warn_stamp"] = warn ? Json(kStartSecond + warn->t) : Json(nullptr);
@@ -126,8 +129,9 @@ Json expectedAnswers(const Scenario& scenario, const ScenarioOptions& options) {
   json["units"] =
       "Stamps in s since 1970 (about 2e-7 s of rounding in a double), t and contact_after in s "
       "since start (exact). time_to_collision and segments (in the footprint's order) in s from "
-      "the stamp, null: none within the horizon, 0: touching. contact_after, segment and "
-      "obstacle_id are what the first message says that is within warn_time, else within the "
+      "the stamp, null: none within the horizon, 0: touching. contact_after, footprint (where "
+      "there are several), segment and obstacle_id are what the first message says that is within "
+      "warn_time, else within the "
       "horizon.";
   json["messages"] = messages;
   return json;

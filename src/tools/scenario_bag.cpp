@@ -17,6 +17,9 @@ constexpr long kOdometryPerObstacles = 5;
 // to the first message that is stamped by it.
 constexpr double kLoopPause = 0.45;
 constexpr double kClockLead = 0.3;
+// Before the first message of a robot of several bodies, so that their motion is known from there
+// on: it is taken from two transforms.
+constexpr double kTransformLead = 0.2;  // [s]
 
 /// The i-th of so many per second, as [s] since the start; rounded to a nanosecond as stamps are.
 double timeOf(long i, double rate) {
@@ -104,11 +107,19 @@ rosgraph_msgs::Clock clockAt(double t) {
   return clock;
 }
 
+void writeTransformsBefore(const Scenario& scenario, double rate, rosbag::Bag& bag) {
+  for (long i = std::lround(std::floor(kTransformLead * rate)); i > 0; --i) {
+    const double t = -timeOf(i, rate);
+    bag.write("/tf", stampAt(t), transformsFrom(scenario, odometryAt(scenario, t)));
+  }
+}
+
 /// \param shift [s] from stamps to the times of recording
 void writeRound(const Scenario& scenario, const ScenarioOptions& options, double shift,
                 rosbag::Bag& bag) {
   const double odometry_rate = options.rate * kOdometryPerObstacles;
   if (scenario.looped) bag.write("/clock", stampAt(shift - kClockLead), clockAt(0));
+  if (scenario.bodies.size() > 1) writeTransformsBefore(scenario, odometry_rate, bag);
   for (long i = 0; i < countUntil(options.duration, odometry_rate); ++i) {
     const double t = timeOf(i, odometry_rate);
     const ros::Time recorded = stampAt(t + shift);

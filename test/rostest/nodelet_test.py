@@ -108,7 +108,7 @@ class Nodelet(RosTestCase):
         rig = self.managed(**PATIENT)
         log = Recorder('/rosout', rosgraph_msgs.msg.Log)
         self.addCleanup(log.close)
-        log.wait_connected(2)  # the manager, and this test itself
+        log.wait_connected(3)  # the manager, its loader, and this test itself
         rospy.set_param(rig.topic('other/footprint'), BOX)
         rospy.set_param(rig.topic('other/waring_time'), 3.0)
         self.assertNotEqual(rig.load('other').wait(TIMEOUT), 0)

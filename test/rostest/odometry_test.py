@@ -65,7 +65,7 @@ class Odometry(RosTestCase):
         self.assertUnknown(warning, warning.REASON_ODOM_MISSING)
 
     def test_Fault23_stale_at_the_stamp(self):
-        node = self.driving()
+        node = self.driving(transform_tolerance=2.0)  # in which the odometry has come
         node.send_odometry((1, 0), stamp=ago(31))
         warning = node.warning_at(node.send([STANDING]))
         self.assertUnknown(warning, warning.REASON_ODOM_STALE)
@@ -81,7 +81,7 @@ class Odometry(RosTestCase):
                 self.assertAlmostEqual(node.warning_at(stamp).time_to_collision, 2.5, delta=1e-9)
 
     def test_unknown_frame(self):
-        node = self.driving()
+        node = self.driving(transform_tolerance=2.0)
         stamp = node.send_odometry((1, 0), child='atlantis')
         node.send([STANDING], stamp=stamp)
         warning = node.warning_at(stamp)
@@ -90,7 +90,7 @@ class Odometry(RosTestCase):
 
     def check_refused(self, reason, *words, **odometry):
         """UNKNOWN by name until a good one comes; the last good one stays in use."""
-        node = self.driving()
+        node = self.driving(transform_tolerance=20.0)
         node.warning_at(node.send([STANDING], stamp=node.send_odometry((1, 0))))
         mark = node.warnings.mark()
         node.send_odometry(**odometry)

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Changes of parameters while the node runs: taken as a whole, or refused as a whole."""
 import math
+import queue
 import threading
 
 import rosgraph_msgs.msg
 import rospy
 from diagnostics_reading import OK, WARN, DiagnosticsReader, values
 from dynamic_reconfigure.client import Client
-from node_testing import NODE, PATIENT, Recorder, circle
+from node_testing import NODE, PATIENT, TIMEOUT, Recorder, circle
 from ros_test_case import RosTestCase, run
 
 AHEAD = circle(7, (5.5, 0), (-1, 0))  # touches the front after 4 s
@@ -33,16 +34,29 @@ class Reconfiguration(RosTestCase):
         self.node = self.rig(**dict(PATIENT, diagnostic_period=0.1))
         self.diagnostics = DiagnosticsReader(self.node.namespace)
         self.addCleanup(self.diagnostics.close)
-        self.client = Client(self.node.topic(NODE), timeout=30)
+        self.updates = queue.Queue()
+        self.client = Client(self.node.topic(NODE), timeout=TIMEOUT,
+                             config_callback=self.updates.put)
         self.addCleanup(self.client.close)
+        self.next_update()  # the latched one
+
+    def next_update(self):
+        return self.updates.get(timeout=TIMEOUT)
+
+    def change(self, **values):
+        """What the service answers, and what it then tells every client, also when it refuses."""
+        returned = self.client.update_configuration(values)
+        return returned, self.next_update()
 
     def on_server(self):
         return {name: rospy.get_param(self.node.topic(NODE) + '/' + name) for name in DEFAULTS}
 
-    def check_is(self, expected):
-        """What the client, the parameter server and the node itself hold."""
-        self.assertEqual({n: self.client.get_configuration()[n] for n in expected}, expected)
-        self.assertEqual({n: self.on_server()[n] for n in expected}, expected)
+    def check_change(self, values, expected):
+        """What everybody holds after an attempt to change to `values`."""
+        returned, told = self.change(**values)
+        self.assertEqual({n: returned[n] for n in DEFAULTS}, expected)
+        self.assertEqual({n: told[n] for n in DEFAULTS}, expected)
+        self.assertEqual(self.on_server(), expected)
 
     def test_Fault41_a_contradiction_is_refused_whole(self):
         log = Recorder('/rosout', rosgraph_msgs.msg.Log)
@@ -50,9 +64,7 @@ class Reconfiguration(RosTestCase):
         log.wait_connected(2)  # the node, and this test itself
         for change, words in CONTRADICTIONS:
             with self.subTest(change=change):
-                returned = self.client.update_configuration(change)
-                self.assertEqual({n: returned[n] for n in DEFAULTS}, DEFAULTS)
-                self.check_is(DEFAULTS)
+                self.check_change(change, DEFAULTS)
                 self.assertEqual(self.node.warning_at(self.node.send([AHEAD])).horizon, 5.0)
                 says = lambda text: all(word in text for word in words)  # noqa: E731
                 log.wait_for(lambda entry: 'refused' in entry.msg and says(entry.msg), words)
@@ -63,10 +75,9 @@ class Reconfiguration(RosTestCase):
     def test_a_good_change_counts_from_the_next_message(self):
         before = self.node.warning_at(self.node.send([AHEAD]))
         self.assertAlmostEqual(before.time_to_collision, 4, delta=1e-9)
-        self.client.update_configuration({'warn_time': 9.0})  # refused, and forgiven below
+        self.change(warn_time=9.0)  # refused, and forgiven below
         change = {'horizon': 10.0, 'warn_time': 8.0, 'critical_time': 6.0, 'heartbeat_rate': 50.0}
-        self.client.update_configuration(change)
-        self.check_is(dict(DEFAULTS, **change))
+        self.check_change(change, dict(DEFAULTS, **change))
         self.diagnostics.wait_for('configuration', lambda s: s.level == OK and
                                   values(s)['horizon [s]'] == '10', 'OK', self.diagnostics.mark())
         self.diagnostics.wait_for('computation', lambda s: values(s)['period [s]'] == '0.02')
@@ -74,7 +85,7 @@ class Reconfiguration(RosTestCase):
         self.assertEqual((after.level, after.horizon), (after.CRITICAL, 10.0))
 
     def test_without_messages_a_change_counts_at_once(self):
-        self.client.update_configuration({'horizon': 10.0})
+        self.change(horizon=10.0)
         self.node.warnings.wait_for(lambda w: w.horizon == 10, 'the new horizon')
 
     def test_no_change_interrupts_what_is_known(self):
@@ -91,7 +102,7 @@ class Reconfiguration(RosTestCase):
         feeder.start()
         try:
             for horizon in 6.0, 4.0, 5.0:
-                self.client.update_configuration({'horizon': horizon, 'clear_after': int(horizon)})
+                self.change(horizon=horizon, clear_after=int(horizon))
                 self.node.warnings.wait_for(lambda w, h=horizon: w.horizon == h, horizon, mark)
         finally:
             stop.set()
@@ -101,7 +112,7 @@ class Reconfiguration(RosTestCase):
 
     def test_clear_after(self):
         self.node.warning_at(self.node.send([circle(7, (1.25, 0))]))
-        self.client.update_configuration({'clear_after': 1})
+        self.change(clear_after=1)
         levels = []
         for _ in range(3):
             levels.append(self.node.warning_at(self.node.send()).level)

@@ -55,10 +55,9 @@ class RecordedLidar(RosTestCase):
         node = self.rig(None, footprint=[[vertex.real, vertex.imag] for vertex in FOOTPRINT],
                         base_frame='robot', fixed_frame='map', ego_motion=ego_motion,
                         clear_after=1, max_data_age=60.0, transform_tolerance=60.0)
-        if ego_motion == 'odom':
-            self.drive(node)
+        topic = self.drive(node) if ego_motion == 'odom' else node.topic('obstacles')
         player = play(self, bag, ('/obstacles', '/tf_static'), '--rate', '3',
-                      '/obstacles:=' + node.topic('obstacles'))
+                      '/obstacles:=' + topic)
         self.assertEqual(player.wait(300), 0, 'exit status of rosbag play')
         predictions = node.predictions.messages
         wait_until(lambda: len(predictions) >= len(messages),
@@ -73,15 +72,21 @@ class RecordedLidar(RosTestCase):
         return tally
 
     def drive(self, node):
-        def send_odometry(message):
+        """Where to play to. The player waits for one subscriber only: with the node as another
+        one the first messages might reach just one of them."""
+        obstacles = node.publisher('obstacles', ObstacleDetectorObstacles)
+
+        def send_on(message):
             velocity, yaw_rate = driving(message.header.stamp)
             node.send_odometry((velocity.real, velocity.imag), yaw_rate, message.header.stamp,
                                'robot')
+            obstacles.publish(message)
 
         node.send_odometry(stamp=rospy.Time(1), child='robot')  # connected before anything comes
-        subscriber = rospy.Subscriber(node.topic('obstacles'), ObstacleDetectorObstacles,
-                                      send_odometry)
+        topic = node.topic('recorded')
+        subscriber = rospy.Subscriber(topic, ObstacleDetectorObstacles, send_on)
         self.addCleanup(subscriber.unregister)
+        return topic
 
     def read(self, bag):
         messages = []

@@ -48,6 +48,10 @@ class Scenarios(RosTestCase):
     def test_none(self):
         self.check('none')
 
+    def test_trailer(self):
+        """Each of its bodies, by odometry and by tf."""
+        self.check('trailer')
+
     def test_looped_clock(self):
         """The bag has the clock itself, which jumps back."""
         with tempfile.TemporaryDirectory() as folder:
@@ -74,13 +78,22 @@ class Scenarios(RosTestCase):
         return self.rig(None, transform_tolerance=10.0, max_data_age=10.0, **answers['parameters'])
 
     def check_predictions(self, node, answers, messages):
-        predictions = node.predictions.messages
-        wait_until(lambda: len(predictions) >= len(messages), '%d predictions' % len(messages))
-        self.assertEqual(len(predictions), len(messages))
-        for message, prediction in zip(messages, predictions):
-            self.compare(answers['start'], message, prediction)
+        for name in messages[0].get('footprints', ['footprint']):
+            answer = [dict(m, **m['footprints'][name]) if 'footprints' in m else m
+                      for m in messages]
+            self.check_body(node, name, answers['start'], answer)
+
+    def check_body(self, node, name, start, messages):
+        def predictions():
+            return [p for p in node.predictions.messages if p.footprint == name]
+
+        wait_until(lambda: len(predictions()) >= len(messages), '%d predictions' % len(messages))
+        self.assertEqual(len(predictions()), len(messages))
+        for message, prediction in zip(messages, predictions()):
+            self.compare(start, message, prediction)
+        last = predictions()[-1].header.stamp
         warning = node.warnings.wait_for(
-            lambda w: w.header.stamp == predictions[-1].header.stamp, 'the last answer')
+            lambda w: w.footprint == name and w.header.stamp == last, 'the last answer')
         self.assertEqual(warning.collision_predicted,
                          int(messages[-1]['time_to_collision'] is not None))
 

@@ -48,7 +48,8 @@ class PipelineFixture : public testing::Test {
   /// Made at the first use, so that a test can change the parameters before.
   Pipeline& pipeline() {
     if (!pipeline_)
-      pipeline_.emplace(parameters, InputNames{"/obstacles", "/footprint", "/odom"}, tf, simulated,
+      pipeline_.emplace(parameters, bodiesOf(parameters).front(),
+                        InputNames{"/obstacles", "/footprint", "/odom"}, tf, simulated,
                         [this](const Answer& answer) {
                           warnings.push_back(answer.warning);
                           if (answer.prediction) predictions.push_back(*answer.prediction);

@@ -54,7 +54,7 @@ Replay::Replay(const Parameters& parameters, const InputNames& names, const Wind
       patience_(ros::Duration(parameters.transform_tolerance) + kNanosecond),
       silence_(ros::Duration(parameters.max_data_age) + kNanosecond),
       take_(std::move(take)),
-      pipeline_(parameters, names, tf_, true,
+      pipeline_(parameters, bodiesOf(parameters).front(), names, tf_, true,
                 [this](const Answer& answer) { publish(answer, false); }),
       silent_at_(window.begin + silence_) {}
 

@@ -153,8 +153,8 @@ TEST_F(PipelineFaults, Fault23FootprintOdometryAndObstaclesStampedApartAreBrough
 TEST_F(PipelineFaults, Fault37AnExceptionIsUnknownAndTheNextMessageIsAnswered) {
   bool fails = true;
   std::vector<Warning> answers;
-  Pipeline failing(parameters, {"/obstacles", "/footprint", "/odom"}, tf, simulated,
-                   [&](const Answer& answer) {
+  Pipeline failing(parameters, bodiesOf(parameters).front(), {"/obstacles", "/footprint", "/odom"},
+                   tf, simulated, [&](const Answer& answer) {
                      if (std::exchange(fails, false)) throw std::runtime_error("out of luck");
                      answers.push_back(answer.warning);
                    });

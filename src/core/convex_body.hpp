@@ -1,0 +1,76 @@
+// A convex footprint as a body for advancement.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "advancement.hpp"
+#include "footprint_collision_predictor/polygon.hpp"
+
+namespace footprint_collision_predictor::core {
+
+// So many sides are gone through at once, without a branch: what decides is different for each.
+constexpr std::size_t kSidesAtOnce = 16;
+
+/// The footprint about its centroid.
+class ConvexBody {
+ public:
+  explicit ConvexBody(const Sides& sides) : sides_(sides) {}
+
+  /// \param p outside
+  Away awayFrom(const Vec2& p) const {
+    std::size_t nearest = 0;
+    double smallest = HUGE_VAL;
+    for (std::size_t begin = 0; begin < sides_.offset.size(); begin += kSidesAtOnce) {
+      const std::size_t count = std::min(kSidesAtOnce, sides_.offset.size() - begin);
+      double squares[kSidesAtOnce];
+      squaredDistances(p, begin, count, squares);
+      for (std::size_t i = 0; i < count; ++i) {
+        nearest = squares[i] < smallest ? begin + i : nearest;
+        smallest = squares[i] < smallest ? squares[i] : smallest;
+      }
+    }
+    const double beyond = beyondEnd(sides_.along(nearest, p), sides_.length[nearest]);
+    const Vec2 normal = sides_.normal(nearest);
+    const double of_both =
+        beyond == 0 ? 0 : std::min(std::abs(beyond), beyondOther(nearest, beyond, p));
+    return {sides_.across(nearest, p) * normal + beyond * sides_.winding * leftNormal(normal),
+            of_both, nearest};
+  }
+
+ private:
+  static double beyondEnd(double along, double length) {
+    const double before = along < 0 ? along : 0;
+    const double after = along > length ? along - length : 0;
+    return before + after;
+  }
+
+  /// How far a point beyond an end of a side lies beyond the side that meets it there.
+  double beyondOther(std::size_t side, double beyond, const Vec2& p) const {
+    const std::size_t n = sides_.offset.size();
+    const std::size_t other = (side + (beyond < 0 ? n - 1 : 1)) % n;
+    const double along = sides_.along(other, p);
+    return beyond < 0 ? along - sides_.length[other] : -along;
+  }
+
+  void squaredDistances(const Vec2& p, std::size_t begin, std::size_t count,
+                        double* squares) const {
+    const double* normal_x = sides_.normal_x.data() + begin;
+    const double* normal_y = sides_.normal_y.data() + begin;
+    const double* offset = sides_.offset.data() + begin;
+    const double* start = sides_.start.data() + begin;
+    const double* length = sides_.length.data() + begin;
+    const double px = p.x(), py = p.y(), winding = sides_.winding;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double across = normal_x[i] * px + normal_y[i] * py - offset[i];
+      const double along = winding * (normal_x[i] * py - normal_y[i] * px) - start[i];
+      const double beyond = beyondEnd(along, length[i]);
+      squares[i] = across * across + beyond * beyond;
+    }
+  }
+
+  const Sides& sides_;
+};
+
+}  // namespace footprint_collision_predictor::core
