@@ -31,6 +31,11 @@ function obstacleText(id, index) {
   return index === null || index === undefined ? '-' : `[${index}]`;
 }
 
+/** A recording, with the body's name where the robot has several. */
+function recordingText(bag) {
+  return bag.footprint ? `${bag.bag} [${bag.footprint}]` : bag.bag;
+}
+
 function byId(id) {
   return document.getElementById(id);
 }
