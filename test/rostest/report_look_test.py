@@ -99,6 +99,36 @@ class ReportLook(ReportTestCase):
             share = sum(like(p, ORANGE, 60) for p in self.browser.pixels('#scene', points)) / len(points)
             self.assertGreater(share, 0.3, 'its %s 3 m ahead' % name)
 
+    def test_ghost_of_a_robot_that_turns(self):
+        speed, turning = 0.3, 0.4
+        messages = []
+        for i in range(5):
+            odometry = bags.odometry(i / 10, speed)
+            odometry.twist.twist.angular.z = turning
+            messages += [('/odom', i / 10, odometry),
+                         ('/obstacles', i / 10, bags.obstacles(i / 10, [(7, 1.6, 0.5, 0, 0, 0.5)]))]
+        self.report(self.write('drive.bag', messages), '--footprint-polygon', bags.SQUARE)
+        time = bags.summary(self.output)['bags'][0]['smallest_time_to_collision']['time_to_collision']
+        angle = turning * time
+        self.assertGreater(angle, 0.2)
+        place = speed / turning * math.sin(angle), speed / turning * (1 - math.cos(angle))
+        across, along = self.metre()
+        rear = [(-0.5, 0.4 - i / 50) for i in range(41)]  # of the body, where nothing else is drawn
+        points = [(0.5 + across * (place[0] + x * math.cos(angle) - y * math.sin(angle)),
+                   0.5 - along * (place[1] + x * math.sin(angle) + y * math.cos(angle))) for x, y in rear]
+        share = sum(like(p, VERMILLION, 60) or like(p, ORANGE, 60)
+                    for p in self.browser.pixels('#scene', points)) / len(points)
+        self.assertGreater(share, 0.3)
+
+    def test_none_has_a_lane_of_its_own_above_the_curve(self):
+        self.open_waves()
+        height = self.browser.script('return document.querySelector("#ttc canvas").height')
+        raster = [(0.07 + 0.92 * x / 200, y / (height - 1)) for y in range(height) for x in range(200)]
+        green = [like(pixel, GREEN) for pixel in self.browser.pixels('#ttc canvas', raster)]
+        lane = [y for y in range(height) if sum(green[200 * y:200 * (y + 1)]) > 5]
+        self.assertTrue(lane)
+        self.assertLess(max(lane), 0.25 * height)
+
     def test_colours_of_the_markers(self):
         self.open_waves()
         for level, colour in ('WARN', ORANGE), ('CRITICAL', VERMILLION), ('CLEAR', GREEN), \
