@@ -12,6 +12,7 @@ from ros_test_case import run
 # Okabe and Ito, "Color universal design", 2008.
 ORANGE, SKY_BLUE, GREEN = (230, 159, 0), (86, 180, 233), (0, 158, 115)
 VERMILLION, PURPLE = (213, 94, 0), (204, 121, 167)
+TOLERANCE = 12  # by which a colour may differ
 LIGHT, DARK = False, True
 
 # Of the text and of what lies behind it.
@@ -42,7 +43,7 @@ def contrast(a, b):
     return (lighter + 0.05) / (darker + 0.05)
 
 
-def like(a, b, tolerance=12):
+def like(a, b, tolerance=TOLERANCE):
     return all(abs(x - y) <= tolerance for x, y in zip(a, b))
 
 
@@ -51,10 +52,9 @@ class ReportLook(ReportTestCase):
         self.browser.look(**look)
         self.report(self.write('drive.bag', waves(20)), *bags.STATIC)
 
-    def count(self, selector, colour):
-        """Of a fine raster of points, how many have the colour."""
-        raster = [(x / 300, y / 150) for x in range(301) for y in range(151)]
-        return sum(like(pixel, colour) for pixel in self.browser.pixels(selector, raster))
+    def count(self, selector, colour, begin=0.0):
+        """How many pixels of a canvas have the colour; from a share of the width on."""
+        return sum(self.browser.rows(selector, colour, TOLERANCE, begin))
 
     def metre(self):
         """Shares of the scene's width and height that a metre takes: segment 1, the rear of the
@@ -122,12 +122,10 @@ class ReportLook(ReportTestCase):
 
     def test_none_has_a_lane_of_its_own_above_the_curve(self):
         self.open_waves()
-        height = self.browser.script('return document.querySelector("#ttc canvas").height')
-        raster = [(0.07 + 0.92 * x / 200, y / (height - 1)) for y in range(height) for x in range(200)]
-        green = [like(pixel, GREEN) for pixel in self.browser.pixels('#ttc canvas', raster)]
-        lane = [y for y in range(height) if sum(green[200 * y:200 * (y + 1)]) > 5]
+        rows = self.browser.rows('#ttc canvas', GREEN, TOLERANCE, 0.07)
+        lane = [y for y, number in enumerate(rows) if number > 5]
         self.assertTrue(lane)
-        self.assertLess(max(lane), 0.25 * height)
+        self.assertLess(max(lane), 0.25 * len(rows))
 
     def test_colours_of_the_markers(self):
         self.open_waves()
@@ -144,16 +142,21 @@ class ReportLook(ReportTestCase):
 
     def strip_of(self, messages):
         self.report(self.write('drive.bag', messages), *bags.STATIC)
-        return {name: self.count('#strip canvas', colour)
+        return {name: self.count('#strip canvas', colour, begin=0.5)
                 for name, colour in (('green', GREEN), ('purple', PURPLE))}
 
     def test_none_and_unknown_look_different(self):
         none = self.strip_of([('/obstacles', t / 10, bags.obstacles(t / 10)) for t in range(40)])
-        unknown = self.strip_of([('/obstacles', t / 10, bags.obstacles(t / 10, [], ''))
-                                 for t in range(40)])
+        self.assertEqual(self.count('#ttc canvas', PURPLE, begin=0.5), 0)
+        for frame in '', 'base_link':  # unknown from the begin, or later
+            messages = [('/obstacles', t / 10, bags.obstacles(t / 10, [], frame if t < 10 else ''))
+                        for t in range(40)]
+            unknown = self.strip_of(messages)
+            self.assertGreater(unknown['purple'], 300)
+            self.assertEqual(unknown['green'], 0)
+            self.assertGreater(self.count('#ttc canvas', PURPLE, begin=0.5), 300)
         self.assertGreater(none['green'], 300)
-        self.assertGreater(unknown['purple'], 300)
-        self.assertEqual(unknown['green'], 0)
+        self.browser.press(Keys.END)
         self.assertGreater(self.count('#scene', PURPLE), 5, 'the footprint of which nothing is known')
         signs = {chip.get_attribute('data-sign') for chip in self.browser.all('.shares .chip')}
         self.assertEqual(len(signs), 4, 'levels differ in more than colour')

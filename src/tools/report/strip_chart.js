@@ -2,7 +2,7 @@
 
 function stripChart(charts, parent) {
   const {report} = charts;
-  const rows = Math.max(0, ...report.frames.map((f) => (f.scene ? f.scene.segments.length : 0)));
+  const rows = Math.max(report.footprint.length, ...report.frames.map((f) => (f.scene ? f.scene.segments.length : 0)));
   const rowHeight = Math.max(4, Math.min(22, 300 / (rows + 1)));
   const cells = cellRuns(report, rows);
   const times = report.frames.map((frame) => frame.t);
