@@ -16,7 +16,6 @@ double seconds(const Window& window) { return (window.end - window.begin).toSec(
 BagReport BagAnalysis::analyze(std::size_t index, OutputFolder* output, Progress& progress) const {
   BagReport report;
   report.bag = options_.bags.at(index);
-  const std::size_t count = options_.bags.size();
   std::optional<Film> film;
   if (output != nullptr && !options_.no_report) film.emplace(parameters_.thresholds.warn_time);
   try {
@@ -28,8 +27,8 @@ BagReport BagAnalysis::analyze(std::size_t index, OutputFolder* output, Progress
     report.partial = report.statistics.evaluations() > 0;
   }
   if (film)
-    output->writePage(index, pageName(report, index, count), [&](std::ostream& out) {
-      writeReport(report, *film, options_, parameters_, count > 1, out);
+    output->writePage(index, pageName(options_, index), [&](std::ostream& out) {
+      writeReport(report, *film, options_, parameters_, out);
     });
   return report;
 }

@@ -95,7 +95,7 @@ Json levelsJson(const std::vector<LevelRun>& levels) {
 }
 
 Json describe(const BagReport& report, const Film& film, const Options& options,
-              const Parameters& parameters, bool listed) {
+              const Parameters& parameters) {
   Json json;
   json["program"] = "analyze_bag " PACKAGE_VERSION;
   json["verdict"] = verdictText(report, options);
@@ -103,7 +103,7 @@ Json describe(const BagReport& report, const Film& film, const Options& options,
   json["parameters"] = parametersJson(parameters);
   json["fail_under"] = options.fail_under ? Json(*options.fail_under) : Json(nullptr);
   json["window_seconds"] = (report.window.end - report.window.begin).toSec();
-  json["listed"] = listed;
+  json["several"] = options.bags.size() > 1;
   json["thinned"] = film.isThinned();
   json["styles"] = stylesJson();
   json["reason_names"] = reasonNames();
@@ -116,20 +116,20 @@ Json describe(const BagReport& report, const Film& film, const Options& options,
 
 }  // namespace
 
-std::string pageName(const BagReport& report, std::size_t index, std::size_t count) {
-  if (count == 1) return "report.html";
-  std::string stem = std::filesystem::path(report.bag).stem().string();
+std::string pageName(const Options& options, std::size_t bag) {
+  if (options.bags.size() == 1) return "report.html";
+  std::string stem = std::filesystem::path(options.bags.at(bag)).stem().string();
   for (char& c : stem)  // for links and any file system
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
   char number[32];
-  std::snprintf(number, sizeof number, "%04zu_", index + 1);
+  std::snprintf(number, sizeof number, "%04zu_", bag + 1);
   return "reports/" + (number + stem.substr(0, 100)) + ".html";
 }
 
 void writeReport(const BagReport& report, const Film& film, const Options& options,
-                 const Parameters& parameters, bool listed, std::ostream& out) {
+                 const Parameters& parameters, std::ostream& out) {
   const PageText page = reportPage();
-  std::string described = scriptText(describe(report, film, options, parameters, listed));
+  std::string described = scriptText(describe(report, film, options, parameters));
   described.pop_back();  // the brace, since the frames belong into it
   out << page.before_data << described << ",\"frames\":[";
   const char* separator = "";
@@ -149,7 +149,7 @@ void writeReportList(const std::vector<BagReport>& reports, const Options& optio
   for (std::size_t i = 0; i < reports.size(); ++i) {
     json["bags"].push_back(bagJson(reports[i], options));
     json["bags"].back()["verdict"] = verdictText(reports[i], options);
-    json["bags"].back()["page"] = pageName(reports[i], i, reports.size());
+    json["bags"].back()["page"] = pageName(options, i);
   }
   const PageText page = reportListPage();
   out << page.before_data << scriptText(json) << page.after_data;

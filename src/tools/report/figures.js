@@ -23,9 +23,9 @@ function sentence(words) {
 
 function fillHeader(report) {
   const {bag} = report;
-  document.title = `${recordingText(bag)} - collision report`;
-  byId('bag').textContent = recordingText(bag);
-  byId('all-bags').hidden = !report.listed;
+  document.title = `${bag.bag} - collision report`;
+  byId('bag').textContent = bag.bag;
+  byId('all-bags').hidden = !report.several;
   byId('verdict').replaceChildren(chip(verdictLevel(bag, report.parameters), sentence(report.verdict)));
   showText('partial', bag.partial && (bag.evaluations
     ? `Partial: only ${secondsText(report.seconds)} of ${secondsText(report.window_seconds)} were ` +

@@ -31,11 +31,6 @@ function obstacleText(id, index) {
   return index === null || index === undefined ? '-' : `[${index}]`;
 }
 
-/** A recording, with the body's name where the robot has several. */
-function recordingText(bag) {
-  return bag.footprint ? `${bag.bag} [${bag.footprint}]` : bag.bag;
-}
-
 function byId(id) {
   return document.getElementById(id);
 }

@@ -15,7 +15,7 @@ function compare(a, b) {
 function bagRow(bag) {
   const worst = bag.smallest_time_to_collision;
   const cells = [
-    [element('a', {href: bag.page}, recordingText(bag)), 'words'],
+    [element('a', {href: bag.page}, bag.bag), 'words'],
     [chip(LEVEL_OF_STATE[bag.state], bag.state), ''],
     [worst ? ttcText(worst.time_to_collision) : bag.state === 'unknown' ? 'unknown' : 'none', 'number'],
     [metresText(bag.smallest_clearance ?? NaN), 'number optional'],
