@@ -15,7 +15,9 @@ struct FootprintContact {
   Contact contact;
   std::size_t segment;   ///< the segment touched; the lower index on a corner
   std::size_t obstacle;  ///< index into the obstacles
-  double closing_speed;  ///< [m/s] >= 0 along the contact normal at contact; 0 when separating
+  /// [m/s] >= 0 along the contact normal at contact, of the motions alone: what a growing radius
+  /// adds is not a speed of anything; 0 when separating
+  double closing_speed;
 };
 
 /// First contact of the footprint with one obstacle.

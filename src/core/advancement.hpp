@@ -37,6 +37,14 @@ struct Away {
   std::size_t segment;  ///< the one it is on
 };
 
+/// The same edge with its start at the origin.
+inline Edge fromStart(const Edge& edge) {
+  Edge local = edge;
+  local.start.setZero();
+  local.end = edge.end - edge.start;
+  return local;
+}
+
 /// A single edge as a body, with its start at the origin.
 struct EdgeBody {
   Edge edge;

@@ -80,13 +80,6 @@ class Search {
   double horizon_;
 };
 
-Edge fromStart(const Edge& edge) {
-  Edge local = edge;
-  local.start.setZero();
-  local.end = edge.end - edge.start;
-  return local;
-}
-
 /// A body of the footprint, where it is in the footprint's frame, and how large it is [m].
 template <typename Body>
 struct Part {

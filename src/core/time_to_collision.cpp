@@ -35,13 +35,6 @@ Disc relativeTo(const Vec2& point, const Disc& disc) {
           disc.radius_rate};
 }
 
-Edge fromStart(const Edge& edge) {
-  Edge local = edge;
-  local.start.setZero();
-  local.end = edge.end - edge.start;
-  return local;
-}
-
 /// c + b t + a t^2.
 struct Quadratic {
   double a;

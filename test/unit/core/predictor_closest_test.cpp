@@ -47,6 +47,19 @@ TEST(Closest, OfALineIsThatOfItsNearestPoint) {
   expectClosest({{{{1.75, 5}, {0, -4}, {0, 2}}, 0, 0, {{0, 0}, {0, 9}}}}, std::hypot(0.75, 0.5), 2);
 }
 
+TEST(Closest, OfATurnIsThatOfTheCirclesItsVerticesGoRound) {
+  // About (-1/16, 2), where it stands still; (1, 10) is farthest from there, and comes round often.
+  const Twist twist{{32, 1}, 16};
+  const double radius = std::hypot(1.0625, 8);
+  for (const double away : {1e2, 1e4, 1e8}) {
+    const std::vector<Obstacle> obstacles{{{{away, 0}, {0, 0}, {0, 0}}, 0.5}};
+    const Prediction p = predict(Polygon({{0, 0}, {0, 1}, {1, 10}}), twist, obstacles, 8);
+    ASSERT_TRUE(p.closest);
+    EXPECT_NEAR(p.closest->distance, std::hypot(away + 0.0625, 2) - radius - 0.5,
+                1e-6 + 1e-13 * away);
+  }
+}
+
 TEST(Closest, IsNothingInAContactAndItsTime) {
   for (const double y : {0.0, 0.75}) {  // the front, a graze of the side
     const Prediction p = predict(Polygon(kBox), {}, {{{{5, y}, {-1, 0}, {0, 0}}, 0.25}}, 10);
