@@ -24,15 +24,32 @@ needs_browser = unittest.skipIf(MISSING, 'not installed: ' + ', '.join(MISSING))
 # Resolves once what has been asked for is drawn.
 DRAWN = 'const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()));'
 
-# The colours [r, g, b, a] of a canvas at points that are given in shares of its size.
-PIXELS = '''
+# A copy, since reading from a canvas changes how the browser keeps it.
+_IMAGE = '''
 const canvas = document.querySelector(arguments[0]);
 const copy = document.createElement('canvas');
-[copy.width, copy.height] = [canvas.width, canvas.height];
+const [width, height] = [copy.width, copy.height] = [canvas.width, canvas.height];
 const pen = copy.getContext('2d', {willReadFrequently: true});
 pen.drawImage(canvas, 0, 0);
-return arguments[1].map(([x, y]) => Array.from(
-  pen.getImageData(Math.round(x * (canvas.width - 1)), Math.round(y * (canvas.height - 1)), 1, 1).data));
+const data = pen.getImageData(0, 0, width, height).data;
+const at = (x, y) => Array.from(data.slice(4 * (y * width + x), 4 * (y * width + x) + 3));
+'''
+
+# The colours [r, g, b] at points that are given in shares of the canvas's size.
+PIXELS = _IMAGE + '''
+return arguments[1].map(([x, y]) => at(Math.round(x * (width - 1)), Math.round(y * (height - 1))));
+'''
+
+# How many pixels of each row have a colour, from a share of the width on.
+ROWS = _IMAGE + '''
+const [, colour, tolerance, begin] = arguments;
+const rows = [];
+for (let y = 0; y < height; ++y) {
+  rows.push(0);
+  for (let i = 4 * (y * width + Math.round(begin * width)); i < 4 * (y + 1) * width; i += 4)
+    rows[y] += colour.every((c, k) => Math.abs(c - data[i + k]) <= tolerance);
+}
+return rows;
 '''
 
 
@@ -108,7 +125,11 @@ class Browser:
         return float(self.script('return document.getElementById("clock").textContent').split()[0])
 
     def pixels(self, selector, points):
-        return [tuple(pixel[:3]) for pixel in self.script(PIXELS, selector, points)]
+        return [tuple(pixel) for pixel in self.script(PIXELS, selector, points)]
+
+    def rows(self, selector, colour, tolerance, begin):
+        """Of each row of a canvas, how many pixels have the colour."""
+        return self.script(ROWS, selector, colour, tolerance, begin)
 
     def complaints(self):
         """Everything on the console since the page was opened."""

@@ -126,6 +126,12 @@ class ReportContent(ReportTestCase):
             self.analyzed(bag, *bags.STATIC, '--fail-under', limit)
             self.show()
             self.assertEqual(self.browser.text('#limit'), said)
+        blind = self.write('drive.bag', [('/obstacles', t / 10, bags.obstacles(t / 10, [], ''))
+                                         for t in range(20)])
+        self.analyzed(blind, *bags.STATIC, '--fail-under', '0.5')
+        self.show()
+        self.assertEqual(self.browser.text('#limit'),
+                         'Limit not proven: more than 5 % of the time is unknown.')
 
     def test_bag_that_cannot_be_read(self):
         self.analyzed('/no/such.bag', *bags.STATIC)

@@ -12,6 +12,7 @@ from ros_test_case import run
 # Okabe and Ito, "Color universal design", 2008.
 ORANGE, SKY_BLUE, GREEN = (230, 159, 0), (86, 180, 233), (0, 158, 115)
 VERMILLION, PURPLE = (213, 94, 0), (204, 121, 167)
+TOLERANCE = 12  # by which a colour may differ
 LIGHT, DARK = False, True
 
 # Of the text and of what lies behind it.
@@ -42,7 +43,7 @@ def contrast(a, b):
     return (lighter + 0.05) / (darker + 0.05)
 
 
-def like(a, b, tolerance=12):
+def like(a, b, tolerance=TOLERANCE):
     return all(abs(x - y) <= tolerance for x, y in zip(a, b))
 
 
@@ -51,10 +52,9 @@ class ReportLook(ReportTestCase):
         self.browser.look(**look)
         self.report(self.write('drive.bag', waves(20)), *bags.STATIC)
 
-    def count(self, selector, colour):
-        """Of a fine raster of points, how many have the colour."""
-        raster = [(x / 300, y / 150) for x in range(301) for y in range(151)]
-        return sum(like(pixel, colour) for pixel in self.browser.pixels(selector, raster))
+    def count(self, selector, colour, begin=0.0):
+        """How many pixels of a canvas have the colour; from a share of the width on."""
+        return sum(self.browser.rows(selector, colour, TOLERANCE, begin))
 
     def metre(self):
         """Shares of the scene's width and height that a metre takes: segment 1, the rear of the
@@ -99,6 +99,34 @@ class ReportLook(ReportTestCase):
             share = sum(like(p, ORANGE, 60) for p in self.browser.pixels('#scene', points)) / len(points)
             self.assertGreater(share, 0.3, 'its %s 3 m ahead' % name)
 
+    def test_ghost_of_a_robot_that_turns(self):
+        speed, turning = 0.3, 0.4
+        messages = []
+        for i in range(5):
+            odometry = bags.odometry(i / 10, speed)
+            odometry.twist.twist.angular.z = turning
+            messages += [('/odom', i / 10, odometry),
+                         ('/obstacles', i / 10, bags.obstacles(i / 10, [(7, 1.6, 0.5, 0, 0, 0.5)]))]
+        self.report(self.write('drive.bag', messages), '--footprint-polygon', bags.SQUARE)
+        time = bags.summary(self.output)['bags'][0]['smallest_time_to_collision']['time_to_collision']
+        angle = turning * time
+        self.assertGreater(angle, 0.2)
+        place = speed / turning * math.sin(angle), speed / turning * (1 - math.cos(angle))
+        across, along = self.metre()
+        rear = [(-0.5, 0.4 - i / 50) for i in range(41)]  # of the body, where nothing else is drawn
+        points = [(0.5 + across * (place[0] + x * math.cos(angle) - y * math.sin(angle)),
+                   0.5 - along * (place[1] + x * math.sin(angle) + y * math.cos(angle))) for x, y in rear]
+        share = sum(like(p, VERMILLION, 60) or like(p, ORANGE, 60)
+                    for p in self.browser.pixels('#scene', points)) / len(points)
+        self.assertGreater(share, 0.3)
+
+    def test_none_has_a_lane_of_its_own_above_the_curve(self):
+        self.open_waves()
+        rows = self.browser.rows('#ttc canvas', GREEN, TOLERANCE, 0.07)
+        lane = [y for y, number in enumerate(rows) if number > 5]
+        self.assertTrue(lane)
+        self.assertLess(max(lane), 0.25 * len(rows))
+
     def test_colours_of_the_markers(self):
         self.open_waves()
         for level, colour in ('WARN', ORANGE), ('CRITICAL', VERMILLION), ('CLEAR', GREEN), \
@@ -114,16 +142,21 @@ class ReportLook(ReportTestCase):
 
     def strip_of(self, messages):
         self.report(self.write('drive.bag', messages), *bags.STATIC)
-        return {name: self.count('#strip canvas', colour)
+        return {name: self.count('#strip canvas', colour, begin=0.5)
                 for name, colour in (('green', GREEN), ('purple', PURPLE))}
 
     def test_none_and_unknown_look_different(self):
         none = self.strip_of([('/obstacles', t / 10, bags.obstacles(t / 10)) for t in range(40)])
-        unknown = self.strip_of([('/obstacles', t / 10, bags.obstacles(t / 10, [], ''))
-                                 for t in range(40)])
+        self.assertEqual(self.count('#ttc canvas', PURPLE, begin=0.5), 0)
+        for frame in '', 'base_link':  # unknown from the begin, or later
+            messages = [('/obstacles', t / 10, bags.obstacles(t / 10, [], frame if t < 10 else ''))
+                        for t in range(40)]
+            unknown = self.strip_of(messages)
+            self.assertGreater(unknown['purple'], 300)
+            self.assertEqual(unknown['green'], 0)
+            self.assertGreater(self.count('#ttc canvas', PURPLE, begin=0.5), 300)
         self.assertGreater(none['green'], 300)
-        self.assertGreater(unknown['purple'], 300)
-        self.assertEqual(unknown['green'], 0)
+        self.browser.press(Keys.END)
         self.assertGreater(self.count('#scene', PURPLE), 5, 'the footprint of which nothing is known')
         signs = {chip.get_attribute('data-sign') for chip in self.browser.all('.shares .chip')}
         self.assertEqual(len(signs), 4, 'levels differ in more than colour')

@@ -72,6 +72,9 @@ class Tutorials(RosTestCase):
     def test_obstacles(self):
         self.check('tutorial_obstacles.md')
 
+    def test_rviz(self):
+        self.check('tutorial_rviz.md')
+
     def test_plotting(self):
         self.check('tutorial_plotting.md')
 

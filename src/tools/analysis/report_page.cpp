@@ -103,6 +103,7 @@ Json describe(const BagReport& report, const Film& film, const Options& options,
   json["verdict"] = verdictText(report, options);
   json["bag"] = bagJson(report, options);
   json["parameters"] = parametersJson(parameters);
+  json["max_unknown"] = options.max_unknown;
   json["fail_under"] = options.fail_under ? Json(*options.fail_under) : Json(nullptr);
   json["window_seconds"] = (report.window.end - report.window.begin).toSec();
   json["several"] = report.page != kOnlyPage;

@@ -21,6 +21,13 @@ function sentence(words) {
   return `${words[0].toUpperCase()}${words.slice(1)}.`;
 }
 
+/** What there is to say of --fail-under; nothing where it is kept. */
+function limitText({bag, fail_under: limit, max_unknown: most}) {
+  if (bag.limit_broken) return `Limit broken: a time to collision is under ${limit} s.`;
+  const unproven = limit !== null && !(bag.unknown_percent <= most);
+  return unproven && `Limit not proven: more than ${most} % of the time is unknown.`;
+}
+
 function fillHeader(report) {
   const {bag} = report;
   document.title = `${nameOf(bag)} - collision report`;
@@ -31,8 +38,7 @@ function fillHeader(report) {
     ? `Partial: only ${secondsText(report.seconds)} of ${secondsText(report.window_seconds)} were ` +
       'analysed. What follows says nothing of the rest.'
     : 'Partial: interrupted before its begin, nothing was analysed.'));
-  showText('limit', bag.limit_broken &&
-    `Limit broken: a time to collision is under ${report.fail_under} s.`);
+  showText('limit', limitText(report));
   showText('problem', bag.problem);
   byId('program').textContent = report.program + (report.thinned
     ? '. The replay shows fewer moments away from approaches, or all through where there are very ' +

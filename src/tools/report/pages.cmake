@@ -18,8 +18,9 @@ read_parts(uplot_license ${uplot}/LICENSE)
 read_parts(uplot_script ${uplot}/uPlot.iife.min.js)
 read_parts(report_style ${uplot}/uPlot.min.css ${report}/style.css)
 read_parts(report_script
-  ${report}/format.js ${report}/palette.js ${report}/data.js ${report}/motion.js ${report}/scene.js
-  ${report}/charts.js ${report}/figures.js ${report}/moment.js ${report}/events.js
+  ${report}/format.js ${report}/palette.js ${report}/data.js ${report}/motion.js ${report}/brush.js
+  ${report}/scene.js ${report}/legend.js ${report}/charts.js ${report}/ttc_chart.js
+  ${report}/strip_chart.js ${report}/figures.js ${report}/moment.js ${report}/events.js
   ${report}/player.js ${report}/main.js)
 read_parts(report_list_style ${report}/style.css)
 read_parts(report_list_script ${report}/format.js ${report}/palette.js ${report}/list.js)
