@@ -1,7 +1,6 @@
 #include "node.hpp"
 
 #include <ros/console.h>
-#include <topic_tools/shape_shifter.h>
 
 #include <algorithm>
 #include <chrono>
@@ -28,17 +27,6 @@ XmlRpc::XmlRpcValue valuesOf(const ros::NodeHandle& private_node) {
 }
 
 Moment now() { return {ros::Time::now(), ros::SteadyTime::now()}; }
-
-using Event = ros::MessageEvent<topic_tools::ShapeShifter const>;
-
-RawMessage rawOf(const Event& event) {
-  const topic_tools::ShapeShifter& shape_shifter = *event.getConstMessage();
-  RawMessage raw{shape_shifter.getDataType(), shape_shifter.getMD5Sum(),
-                 std::vector<std::uint8_t>(shape_shifter.size()), event.getPublisherName()};
-  ros::serialization::OStream stream(raw.bytes.data(), shape_shifter.size());
-  shape_shifter.write(stream);
-  return raw;
-}
 
 /// For when nothing could be evaluated: not one number is known.
 CollisionWarning unknown(const Parameters& parameters, const Body& body, const std::string& why) {
@@ -166,22 +154,24 @@ void Node::takeNewParameters() {
   for (Predictor& predictor : predictors_) predictor.pipeline.reconfigure(*used_);
 }
 
+/// The warning first: it is what others wait for.
 void Node::publish(const Answer& answer, WarningPublisher& warnings) {
-  if (answer.prediction) predictions_.publish(*answer.prediction);
   const ros::SteadyTime finished = ros::SteadyTime::now();
   const double elapsed = secondsBetween(answer.now.steady, finished);
   const bool evaluated = !std::isnan(answer.warning.clearance);
   if (evaluated) times_.add(elapsed, 1 / used_->heartbeat_rate, finished);
   warnings.publish(finishedAfter(elapsed, answer.warning, *used_));
+  if (answer.prediction) predictions_.publish(*answer.prediction);
 }
 
 /// Raw, so that the node sees every type and every malformed message itself.
 void Node::subscribe(Input& input) {
-  const boost::function<void(const Event&)> callback = [this, &input](const Event& event) {
+  using Message = boost::shared_ptr<const RawMessage>;
+  const boost::function<void(const Message&)> callback = [this, &input](const Message& message) {
     input.connected = true;
-    guarded([&] { take(input, rawOf(event), now()); });
+    guarded([&] { take(input, *message, now()); });
   };
-  input.subscriber = node_.subscribe<topic_tools::ShapeShifter, const Event&>(
+  input.subscriber = node_.subscribe<RawMessage>(
       input.topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
