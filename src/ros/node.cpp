@@ -169,6 +169,7 @@ void Node::subscribe(Input& input) {
   using Message = boost::shared_ptr<const RawMessage>;
   const boost::function<void(const Message&)> callback = [this, &input](const Message& message) {
     input.connected = true;
+    takeNewParameters();  // they may have changed while the worker waited for this message
     guarded([&] { take(input, *message, now()); });
   };
   input.subscriber = node_.subscribe<RawMessage>(
