@@ -38,7 +38,7 @@ nav_msgs::Odometry decodeOdometry(const RawMessage& message) {
   odometry.child_frame_id = withoutLeadingSlash(in.string());
   odometry.pose.pose.position = readTriple<geometry_msgs::Point>(in);
   odometry.pose.pose.orientation = readQuaternion(in);
-  for (double& element : odometry.pose.covariance) element = in.number<double>();
+  readCovariance(in, odometry.pose.covariance);
   odometry.twist = readTwistWithCovariance(in);
   in.finish();
   return odometry;

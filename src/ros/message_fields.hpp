@@ -7,6 +7,8 @@
 #include <geometry_msgs/Vector3.h>
 #include <std_msgs/Header.h>
 
+#include <algorithm>
+
 #include "frame_names.hpp"
 #include "wire_reader.hpp"
 
@@ -30,36 +32,44 @@ inline std_msgs::Header readHeader(WireReader& in) {
 /// Point or Vector3.
 template <typename Triple>
 Triple readTriple(WireReader& in) {
+  const auto [x, y, z] = in.numbers<double, 3>();
   Triple triple;
-  triple.x = in.number<double>();
-  triple.y = in.number<double>();
-  triple.z = in.number<double>();
+  triple.x = x;
+  triple.y = y;
+  triple.z = z;
   return triple;
 }
 
 template <typename Triple>
 Triple readTriple32(WireReader& in) {
+  const auto [x, y, z] = in.numbers<float, 3>();
   Triple triple;
-  triple.x = in.number<float>();
-  triple.y = in.number<float>();
-  triple.z = in.number<float>();
+  triple.x = x;
+  triple.y = y;
+  triple.z = z;
   return triple;
 }
 
 inline geometry_msgs::Quaternion readQuaternion(WireReader& in) {
+  const auto [x, y, z, w] = in.numbers<double, 4>();
   geometry_msgs::Quaternion q;
-  q.x = in.number<double>();
-  q.y = in.number<double>();
-  q.z = in.number<double>();
-  q.w = in.number<double>();
+  q.x = x;
+  q.y = y;
+  q.z = z;
+  q.w = w;
   return q;
+}
+
+inline void readCovariance(WireReader& in, boost::array<double, 36>& covariance) {
+  const auto elements = in.numbers<double, 36>();
+  std::copy(elements.begin(), elements.end(), covariance.begin());
 }
 
 inline geometry_msgs::TwistWithCovariance readTwistWithCovariance(WireReader& in) {
   geometry_msgs::TwistWithCovariance twist;
   twist.twist.linear = readTriple<geometry_msgs::Vector3>(in);
   twist.twist.angular = readTriple<geometry_msgs::Vector3>(in);
-  for (double& element : twist.covariance) element = in.number<double>();
+  readCovariance(in, twist.covariance);
   return twist;
 }
 

@@ -112,13 +112,14 @@ void Node::takeNewParameters() {
   for (Predictor& predictor : predictors_) predictor.pipeline.reconfigure(*used_);
 }
 
+/// The warning first: it is what others wait for.
 void Node::publish(const Answer& answer, WarningPublisher& warnings) {
-  if (answer.prediction) predictions_.publish(*answer.prediction);
   const ros::SteadyTime finished = ros::SteadyTime::now();
   const double elapsed = secondsBetween(answer.now.steady, finished);
   const bool evaluated = !std::isnan(answer.warning.clearance);
   if (evaluated) times_.add(elapsed, 1 / used_->heartbeat_rate, finished);
   warnings.publish(finishedAfter(elapsed, answer.warning, *used_));
+  if (answer.prediction) predictions_.publish(*answer.prediction);
 }
 
 bool Node::isWaiting() const {

@@ -1,6 +1,5 @@
 // The part of the node that subscribes, and takes in what comes.
 #include <ros/console.h>
-#include <topic_tools/shape_shifter.h>
 
 #include <algorithm>
 
@@ -10,17 +9,6 @@ namespace footprint_collision_predictor {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 100;
-
-using Event = ros::MessageEvent<topic_tools::ShapeShifter const>;
-
-RawMessage rawOf(const Event& event) {
-  const topic_tools::ShapeShifter& shape_shifter = *event.getConstMessage();
-  RawMessage raw{shape_shifter.getDataType(), shape_shifter.getMD5Sum(),
-                 std::vector<std::uint8_t>(shape_shifter.size()), event.getPublisherName()};
-  ros::serialization::OStream stream(raw.bytes.data(), shape_shifter.size());
-  shape_shifter.write(stream);
-  return raw;
-}
 
 }  // namespace
 
@@ -43,11 +31,13 @@ void Node::addInput(const std::string& topic, Receive receive, const Predictor& 
 
 /// Raw, so that the node sees every type and every malformed message itself.
 void Node::subscribe(Input& input) {
-  const boost::function<void(const Event&)> callback = [this, &input](const Event& event) {
+  using Message = boost::shared_ptr<const RawMessage>;
+  const boost::function<void(const Message&)> callback = [this, &input](const Message& message) {
     input.connected = true;
-    guarded([&] { take(input, rawOf(event), now()); });
+    takeNewParameters();  // they may have changed while the worker waited for this message
+    guarded([&] { take(input, *message, now()); });
   };
-  input.subscriber = node_.subscribe<topic_tools::ShapeShifter, const Event&>(
+  input.subscriber = node_.subscribe<RawMessage>(
       input.topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
