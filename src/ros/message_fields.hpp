@@ -3,19 +3,18 @@
 
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Quaternion.h>
-#include <geometry_msgs/TwistWithCovariance.h>
+#include <geometry_msgs/Twist.h>
 #include <geometry_msgs/Vector3.h>
 #include <std_msgs/Header.h>
-
-#include <algorithm>
 
 #include "frame_names.hpp"
 #include "wire_reader.hpp"
 
 namespace footprint_collision_predictor {
 
-constexpr std::size_t kPointBytes = 24;      // three float64
-constexpr std::size_t kPoint32Bytes = 12;    // three float32
+constexpr std::size_t kPointBytes = 24;    // three float64
+constexpr std::size_t kPoint32Bytes = 12;  // three float32
+constexpr std::size_t kCovarianceBytes = 36 * 8;
 constexpr std::size_t kShortestHeader = 16;  // seq, stamp, and the length of an empty frame_id
 
 inline std_msgs::Header readHeader(WireReader& in) {
@@ -60,16 +59,12 @@ inline geometry_msgs::Quaternion readQuaternion(WireReader& in) {
   return q;
 }
 
-inline void readCovariance(WireReader& in, boost::array<double, 36>& covariance) {
-  const auto elements = in.numbers<double, 36>();
-  std::copy(elements.begin(), elements.end(), covariance.begin());
-}
-
-inline geometry_msgs::TwistWithCovariance readTwistWithCovariance(WireReader& in) {
-  geometry_msgs::TwistWithCovariance twist;
-  twist.twist.linear = readTriple<geometry_msgs::Vector3>(in);
-  twist.twist.angular = readTriple<geometry_msgs::Vector3>(in);
-  readCovariance(in, twist.covariance);
+/// Of a TwistWithCovariance; the covariance is passed over.
+inline geometry_msgs::Twist readTwist(WireReader& in) {
+  geometry_msgs::Twist twist;
+  twist.linear = readTriple<geometry_msgs::Vector3>(in);
+  twist.angular = readTriple<geometry_msgs::Vector3>(in);
+  in.skip(kCovarianceBytes);
   return twist;
 }
 

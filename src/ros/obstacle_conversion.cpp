@@ -73,19 +73,19 @@ class Listing {
  public:
   void add(std::int64_t id, std::size_t index, const std::string& words) {
     if (++count_ > kMostNamed) return;
-    text_ << (count_ > 1 ? ", " : "") << "obstacle id " << id << " (index " << index << ")"
-          << words;
+    text_ += (count_ > 1 ? ", " : "") + std::string("obstacle id ") + std::to_string(id) +
+             " (index " + std::to_string(index) + ")" + words;
   }
   void report(std::uint32_t reason, const std::string& advice, Findings& findings) const {
     if (count_ == 0) return;
     const std::string more =
         count_ > kMostNamed ? " and " + std::to_string(count_ - kMostNamed) + " more" : "";
-    findings.add(reason, text_.str() + more + advice);
+    findings.add(reason, text_ + more + advice);
   }
 
  private:
   std::size_t count_ = 0;
-  std::ostringstream text_;
+  std::string text_;
 };
 
 }  // namespace

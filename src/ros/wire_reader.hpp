@@ -41,6 +41,8 @@ class WireReader {
     return values;
   }
 
+  void skip(std::size_t bytes) { take(bytes); }
+
   std::string string();
 
   /// Length of an array whose elements take at least this many bytes each.
