@@ -27,7 +27,7 @@ def far_side():
     rospy.init_node('far_side', disable_signals=True)
 
     def tell(**heard):
-        print(json.dumps(heard), flush=True)
+        print(json.dumps(heard) + '\n', end='', flush=True)  # at once: others print, too
 
     def hear_diagnostics(message):
         for status in message.status:
