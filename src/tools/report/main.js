@@ -1,9 +1,9 @@
 // Puts the page together. The files of this folder are joined into one script; each declares
 // functions that the others use.
 
-/** The moment that the address asks for; undefined without one. */
-function momentOfAddress() {
-  const match = /^#t=(-?[0-9.]+(?:e-?[0-9]+)?)$/.exec(location.hash);
+/** The moment that an address asks for; undefined without one. */
+function momentOfAddress(address) {
+  const match = /^#t=(-?[0-9.]+(?:e-?[0-9]+)?)$/.exec(new URL(address).hash);
   return match && Number.isFinite(Number(match[1])) ? Number(match[1]) : undefined;
 }
 
@@ -26,7 +26,7 @@ class Page {
 
   /** At the address's moment, else the worst. */
   open() {
-    this.player.seek(momentOfAddress() ?? worstMoment(this.report));
+    this.player.seek(momentOfAddress(location.href) ?? worstMoment(this.report));
   }
 
   show(frame, t) {
@@ -49,6 +49,12 @@ class Page {
     if (this.noting) clearTimeout(this.noting);
     if (this.player.playing) return;
     this.noting = setTimeout(() => history.replaceState(null, '', `#t=${Number(t.toFixed(6))}`), 200);
+  }
+
+  /** Also to where the address is already: what is shown may have moved on since. */
+  follow(address) {
+    const asked = momentOfAddress(address);
+    if (asked !== undefined) this.player.jump(asked);
   }
 
   goToEvent(direction) {
@@ -77,9 +83,11 @@ class Page {
     byId('speed').addEventListener('change', () => { player.speed = Number(byId('speed').value); });
     document.addEventListener('keydown', (event) => this.key(event));
     document.querySelector('.legend').addEventListener('toggle', () => fillLegend(byId('legend')));
-    window.addEventListener('hashchange', () => {
-      const asked = momentOfAddress();
-      if (asked !== undefined) player.jump(asked);
+    window.addEventListener('hashchange', (event) => this.follow(event.newURL));
+    document.addEventListener('click', (event) => {
+      const link = event.target.closest('a[href^="#t="]');
+      if (link) event.preventDefault();
+      if (link) this.follow(link.href);
     });
     new ResizeObserver(() => this.scene.draw(this.frame)).observe(byId('scene'));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.redraw());
