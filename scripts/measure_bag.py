@@ -11,6 +11,9 @@ import time
 
 RATE = 10  # [Hz] of the obstacles messages
 RUNS = 7
+LARGEST_RATIO = 2  # of analyze_bag to reading
+SLOWEST = 2000  # x real time
+MOST_MEMORY = 200  # [MB]
 
 
 def run(command):
@@ -43,9 +46,11 @@ def main():
         wall, cpu, memory = (statistics.median(column) for column in zip(*results[name]))
         print("  %-27s %7.3f s  (processor %7.3f s)  %8.0f x real time  %6.1f MB" %
               (what, wall, cpu, driven / wall, memory))
-    for index, what in ((0, "wall"), (1, "processor")):
+    for index, what in ((0, "wall"), (1, "processor")):  # the latter even when others are busy, too
         ratio = [a[index] / r[index] for a, r in zip(results["analyze"], results["read"])]
         print("  analyze_bag / reading, %s time: %.2f" % (what, statistics.median(ratio)))
+    print("  goals: a ratio of at most %g, %g x real time or more, at most %g MB" %
+          (LARGEST_RATIO, SLOWEST, MOST_MEMORY))
 
 
 if __name__ == "__main__":

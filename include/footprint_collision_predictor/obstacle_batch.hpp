@@ -53,6 +53,9 @@ class ObstacleBatch {
   std::vector<double> bounding_radius;  ///< [m] of the circle about the position that holds it all
 
  private:
+  void resize(std::size_t obstacles);
+  void put(const Obstacle& obstacle, std::size_t i);
+
   std::vector<std::uint32_t> outline_end_;  ///< in outline_edges_
   std::vector<Edge> outline_edges_;
   double largest_coordinates_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;

@@ -261,19 +261,20 @@ bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc
   return std::any_of(footprint.begin(), footprint.end(), may_touch);
 }
 
-bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc, double horizon) {
+bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
+              double bounding_radius, double horizon) {
   const Motion& m = disc.motion;
   if (twist.angular == 0) {  // most are settled by a single window
     const Vec2 p = m.position - footprint.centroid();
     const Vec2 v = m.velocity - twist.linear + 0.5 * horizon * m.acceleration;
     const double bulge = 0.125 * horizon * horizon * m.acceleration.lpNorm<1>();
-    const double reach = disc.radius + footprint.boundingRadius() * (1 + kGenerous) + bulge;
+    const double reach = bounding_radius + footprint.boundingRadius() * (1 + kGenerous) + bulge;
     const Chord chord{p.x(), p.y(), v.x(), v.y(), reach};
     if (!mayTouchBySign(chord, disc.radius_rate, horizon)) return false;
     if (bulge == 0) return true;
   }
   const SweptFootprint swept(footprint, twist, horizon, m.acceleration.norm());
-  return mayComeWithin(0, swept, disc, disc.radius);
+  return mayComeWithin(0, swept, disc, bounding_radius);
 }
 
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {

@@ -75,8 +75,9 @@ std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, st
 bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc,
                    double bounding_radius);
 
-/// Whether a single disc may touch the footprint.
-bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc, double horizon);
+/// Whether a single obstacle may touch the footprint.
+bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
+              double bounding_radius, double horizon);
 
 /// The same question for now alone.
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius);

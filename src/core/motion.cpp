@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <sstream>
-#include <string>
 #include <utility>
 
 #include "path.hpp"
@@ -10,18 +9,25 @@
 namespace footprint_collision_predictor::core {
 namespace {
 
-void requireWithin(const std::string& field, double value, double lowest, double highest) {
-  if (value >= lowest && value <= highest) return;  // false for NaN
+/// Apart, so that the tests before it are inlined.
+[[noreturn]] void refuse(const char* field, const char* component, double value, double lowest,
+                         double highest) {
   std::ostringstream text;
-  text << field << " is " << value << "; allowed is a finite number from " << lowest << " to "
-       << highest;
+  text << field << component << " is " << value << "; allowed is a finite number from " << lowest
+       << " to " << highest;
   throw InvalidObstacle(text.str());
 }
 
+/// \param component of the field; empty where it has none
+void requireWithin(const char* field, const char* component, double value, double lowest,
+                   double highest) {
+  if (value >= lowest && value <= highest) return;  // false for NaN
+  refuse(field, component, value, lowest, highest);
+}
+
 void requireWithin(const char* field, const Vec2& value, double limit) {
-  if (std::abs(value.x()) <= limit && std::abs(value.y()) <= limit) return;
-  requireWithin(std::string(field) + ".x", value.x(), -limit, limit);
-  requireWithin(std::string(field) + ".y", value.y(), -limit, limit);
+  requireWithin(field, ".x", value.x(), -limit, limit);
+  requireWithin(field, ".y", value.y(), -limit, limit);
 }
 
 }  // namespace
@@ -32,8 +38,8 @@ Obstacle::Obstacle(const Motion& motion, double radius, double radius_rate,
   requireWithin("position", motion.position, kMaxCoordinate);
   requireWithin("velocity", motion.velocity, kMaxRate);
   requireWithin("acceleration", motion.acceleration, kMaxRate);
-  requireWithin("radius", radius, 0, kMaxRadius);
-  requireWithin("radius_rate", radius_rate, 0, kMaxRate);
+  requireWithin("radius", "", radius, 0, kMaxRadius);
+  requireWithin("radius_rate", "", radius_rate, 0, kMaxRate);
   for (const Vec2& vertex : outline_) requireWithin("outline", vertex, kMaxCoordinate);
   if (outline_.size() == 1)
     throw InvalidObstacle(

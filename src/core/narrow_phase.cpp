@@ -132,13 +132,55 @@ std::optional<Contact> NarrowPhase::contactWithOutline(const Edge& edge) const {
   return earliest;
 }
 
+namespace {
+
+/// A circle, or a vertex of an outline, against a convex footprint.
+ConvexAnswer askWhole(const Polygon& footprint, const Twist& twist, const Disc& disc,
+                      double horizon, double until) {
+  ConvexAnswer answer = firstTouchOfConvex(footprint, twist, disc, until);
+  // Its last bits depend on how far ahead is looked; the answer must not depend on others.
+  if (answer.touch && until < horizon) answer = firstTouchOfConvex(footprint, twist, disc, horizon);
+  return answer;
+}
+
+/// The same against an outline: its vertices against the whole, and the footprint's against it.
+ConvexAnswer askOutline(const Polygon& footprint, const Twist& twist, const Shape& shape,
+                        double horizon, double until) {
+  ConvexAnswer first{true, std::nullopt};
+  const auto keep = [&](const std::optional<FirstTouch>& touch) {
+    if (!touch || !(touch->contact.time <= until)) return;
+    if (first.touch && touch->contact.time >= first.touch->contact.time) return;
+    first.touch = touch;
+    until = touch->contact.time;
+  };
+  const auto askVertex = [&](const Vec2& vertex) {
+    Disc disc = shape.disc;
+    disc.motion.position += vertex;
+    const ConvexAnswer answer = askWhole(footprint, twist, disc, horizon, until);
+    first.is_certain = first.is_certain && answer.is_certain;
+    keep(answer.touch);
+  };
+  for (const Edge& edge : shape.outline) {
+    askVertex(edge.start);
+    if (!shape.outline.isClosed()) askVertex(edge.end);
+    for (std::size_t i = 0; first.is_certain && i < footprint.size(); ++i) {
+      const Vec2& vertex = footprint.vertices()[i];
+      const auto time = timeToTouchPoint(vertex, twist, edge, shape.disc, horizon);
+      if (time) keep(FirstTouch{{*time, Feature::kStart, vertex}, i});
+    }
+    if (!first.is_certain) return first;
+  }
+  return first;
+}
+
+}  // namespace
+
 std::optional<FirstTouch> firstTouch(const Polygon& footprint, const Twist& twist,
                                      const Shape& shape, double horizon, double until) {
-  if (shape.outline.size == 0 && footprint.isConvex()) {
-    ConvexAnswer answer = firstTouchOfConvex(footprint, twist, shape.disc, until);
-    // Its last bits depend on how far ahead is looked; the answer must not depend on others.
-    if (answer.touch && until < horizon)
-      answer = firstTouchOfConvex(footprint, twist, shape.disc, horizon);
+  if (footprint.isConvex()) {
+    const ConvexAnswer answer = shape.outline.size == 0
+                                    ? askWhole(footprint, twist, shape.disc, horizon, until)
+                                    : askOutline(footprint, twist, shape, horizon, until);
     if (answer.is_certain) return answer.touch;
   }
   const NarrowPhase narrow(footprint, twist, shape, horizon);

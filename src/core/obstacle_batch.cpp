@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "shape.hpp"
+
 namespace footprint_collision_predictor::core {
 
 ObstacleBatch::ObstacleBatch(const std::vector<Obstacle>& obstacles) {
-  reserve(obstacles.size());
-  for (const Obstacle& obstacle : obstacles) add(obstacle);
+  resize(obstacles.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i) put(obstacles[i], i);
 }
 
 void ObstacleBatch::clear() {
@@ -25,28 +27,33 @@ void ObstacleBatch::reserve(std::size_t obstacles) {
 }
 
 void ObstacleBatch::add(const Obstacle& obstacle) {
+  resize(size() + 1);
+  put(obstacle, size() - 1);
+}
+
+void ObstacleBatch::resize(std::size_t obstacles) {
+  for (auto* values : {&x, &y, &vx, &vy, &ax, &ay, &radius, &radius_rate, &bounding_radius})
+    values->resize(obstacles);
+  outline_end_.resize(obstacles);
+}
+
+void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
   const Motion& m = obstacle.motion();
-  x.push_back(m.position.x());
-  y.push_back(m.position.y());
-  vx.push_back(m.velocity.x());
-  vy.push_back(m.velocity.y());
-  ax.push_back(m.acceleration.x());
-  ay.push_back(m.acceleration.y());
-  radius.push_back(obstacle.radius());
-  radius_rate.push_back(obstacle.disc().radius_rate);
-  double reach = 0;
-  const std::vector<Vec2>& vertices = obstacle.outline();
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    reach = std::max(reach, vertices[i].norm());
-    if (vertices.size() > 2 || i == 0)
-      outline_edges_.emplace_back(Segment{vertices[i], vertices[(i + 1) % vertices.size()]});
-  }
-  bounding_radius.push_back(obstacle.radius() + reach);
-  outline_end_.push_back(static_cast<std::uint32_t>(outline_edges_.size()));
+  x[i] = m.position.x();
+  y[i] = m.position.y();
+  vx[i] = m.velocity.x();
+  vy[i] = m.velocity.y();
+  ax[i] = m.acceleration.x();
+  ay[i] = m.acceleration.y();
+  radius[i] = obstacle.radius();
+  radius_rate[i] = obstacle.disc().radius_rate;
+  bounding_radius[i] = boundingRadius(obstacle);
+  appendOutline(obstacle, &outline_edges_);
+  outline_end_[i] = static_cast<std::uint32_t>(outline_edges_.size());
   largest_coordinates_ = std::max(largest_coordinates_, m.position.lpNorm<1>());
   largest_speed_ = std::max(largest_speed_, m.velocity.lpNorm<1>());
   largest_acceleration_ = std::max(largest_acceleration_, m.acceleration.lpNorm<1>());
-  grows_ = grows_ || obstacle.disc().radius_rate > 0;
+  grows_ = grows_ || radius_rate[i] > 0;
 }
 
 Disc ObstacleBatch::disc(std::size_t i) const {

@@ -26,22 +26,34 @@ std::optional<FootprintContact> firstOf(
   return contact;
 }
 
-}  // namespace
-
-std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
-                                             const Obstacle& obstacle, double horizon) {
-  if (!obstacle.outline().empty())
-    return firstContact(footprint, twist, ObstacleBatch({obstacle}), horizon);
-  const Disc& disc = obstacle.disc();
-  if (!mayTouch(footprint, twist, disc, horizon)) return std::nullopt;
-  const Shape shape{disc, {}};
-  if (mayComeWithin(0, footprint, disc, disc.radius)) {
+/// With an obstacle that may touch.
+std::optional<FootprintContact> firstContactOf(const Polygon& footprint, const Twist& twist,
+                                               const Shape& shape, double bounding_radius,
+                                               double horizon) {
+  if (mayComeWithin(0, footprint, shape.disc, bounding_radius)) {
     const Nearest nearest = nearestNow(footprint, shape);
     if (nearest.gap <= 0) return contactNow(footprint, twist, shape, nearest);
   }
   const auto touch = firstTouch(footprint, twist, shape, horizon, horizon);
   if (!touch) return std::nullopt;
   return contactLater(footprint, twist, shape, *touch);
+}
+
+}  // namespace
+
+std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
+                                             const Obstacle& obstacle, double horizon) {
+  const Disc& disc = obstacle.disc();
+  if (obstacle.outline().empty()) {
+    if (!mayTouch(footprint, twist, disc, disc.radius, horizon)) return std::nullopt;
+    return firstContactOf(footprint, twist, {disc, {}}, disc.radius, horizon);
+  }
+  const double bounding_radius = boundingRadius(obstacle);
+  if (!mayTouch(footprint, twist, disc, bounding_radius, horizon)) return std::nullopt;
+  std::vector<Edge> edges;
+  appendOutline(obstacle, &edges);
+  return firstContactOf(footprint, twist, {disc, {edges.data(), edges.size()}}, bounding_radius,
+                        horizon);
 }
 
 std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,

@@ -1,5 +1,6 @@
 #include "shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -85,6 +86,20 @@ Near nearTo(const Edge& edge, const Shape& shape) {
 }
 
 }  // namespace
+
+double boundingRadius(const Obstacle& obstacle) {
+  double farthest = 0;
+  for (const Vec2& vertex : obstacle.outline()) farthest = std::max(farthest, vertex.norm());
+  return obstacle.radius() + farthest;
+}
+
+void appendOutline(const Obstacle& obstacle, std::vector<Edge>* edges) {
+  const std::vector<Vec2>& vertices = obstacle.outline();
+  if (vertices.size() < 2) return;
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+    edges->emplace_back(Segment{vertices[i - 1], vertices[i]});
+  if (vertices.size() > 2) edges->emplace_back(Segment{vertices.back(), vertices.front()});
+}
 
 Nearest nearestNow(const Polygon& footprint, const Shape& shape) {
   std::size_t segment = 0;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "footprint_collision_predictor/obstacle_batch.hpp"
 #include "footprint_collision_predictor/polygon.hpp"
@@ -14,6 +16,12 @@ struct Shape {
   Disc disc;
   Outline outline;  ///< relative to the disc's centre; empty for a circle
 };
+
+/// [m] of the circle about the obstacle's position that holds it all now
+double boundingRadius(const Obstacle& obstacle);
+
+/// Adds the edges of the obstacle's outline: one of a line, as many as vertices of a polygon.
+void appendOutline(const Obstacle& obstacle, std::vector<Edge>* edges);
 
 /// The nearest place of the footprint's boundary to an obstacle.
 struct Nearest {

@@ -17,6 +17,7 @@ namespace footprint_collision_predictor {
 
 /// What a core obstacle was in its message.
 struct ObstacleKey {
+  ObstacleKey(std::int64_t id_of, std::int32_t index_of) : id(id_of), index(index_of) {}
   std::int64_t id;
   std::int32_t index;
 };

@@ -38,8 +38,8 @@ nav_msgs::Odometry decodeOdometry(const RawMessage& message) {
   odometry.child_frame_id = withoutLeadingSlash(in.string());
   odometry.pose.pose.position = readTriple<geometry_msgs::Point>(in);
   odometry.pose.pose.orientation = readQuaternion(in);
-  for (double& element : odometry.pose.covariance) element = in.number<double>();
-  odometry.twist = readTwistWithCovariance(in);
+  in.skip(kCovarianceBytes);
+  odometry.twist.twist = readTwist(in);
   in.finish();
   return odometry;
 }

@@ -46,6 +46,7 @@ ObstacleArray decodeObstacles(const RawMessage& message, const Parameters& param
 /// \throws UnknownType, MalformedMessage, LimitExceeded
 geometry_msgs::PolygonStamped decodeFootprint(const RawMessage& message, std::size_t max_vertices);
 
+/// Without its covariances, which are left 0.
 /// \throws UnknownType, MalformedMessage
 nav_msgs::Odometry decodeOdometry(const RawMessage& message);
 

@@ -3,7 +3,7 @@
 
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Quaternion.h>
-#include <geometry_msgs/TwistWithCovariance.h>
+#include <geometry_msgs/Twist.h>
 #include <geometry_msgs/Vector3.h>
 #include <std_msgs/Header.h>
 
@@ -12,8 +12,9 @@
 
 namespace footprint_collision_predictor {
 
-constexpr std::size_t kPointBytes = 24;      // three float64
-constexpr std::size_t kPoint32Bytes = 12;    // three float32
+constexpr std::size_t kPointBytes = 24;    // three float64
+constexpr std::size_t kPoint32Bytes = 12;  // three float32
+constexpr std::size_t kCovarianceBytes = 36 * 8;
 constexpr std::size_t kShortestHeader = 16;  // seq, stamp, and the length of an empty frame_id
 
 inline std_msgs::Header readHeader(WireReader& in) {
@@ -30,36 +31,40 @@ inline std_msgs::Header readHeader(WireReader& in) {
 /// Point or Vector3.
 template <typename Triple>
 Triple readTriple(WireReader& in) {
+  const auto [x, y, z] = in.numbers<double, 3>();
   Triple triple;
-  triple.x = in.number<double>();
-  triple.y = in.number<double>();
-  triple.z = in.number<double>();
+  triple.x = x;
+  triple.y = y;
+  triple.z = z;
   return triple;
 }
 
 template <typename Triple>
 Triple readTriple32(WireReader& in) {
+  const auto [x, y, z] = in.numbers<float, 3>();
   Triple triple;
-  triple.x = in.number<float>();
-  triple.y = in.number<float>();
-  triple.z = in.number<float>();
+  triple.x = x;
+  triple.y = y;
+  triple.z = z;
   return triple;
 }
 
 inline geometry_msgs::Quaternion readQuaternion(WireReader& in) {
+  const auto [x, y, z, w] = in.numbers<double, 4>();
   geometry_msgs::Quaternion q;
-  q.x = in.number<double>();
-  q.y = in.number<double>();
-  q.z = in.number<double>();
-  q.w = in.number<double>();
+  q.x = x;
+  q.y = y;
+  q.z = z;
+  q.w = w;
   return q;
 }
 
-inline geometry_msgs::TwistWithCovariance readTwistWithCovariance(WireReader& in) {
-  geometry_msgs::TwistWithCovariance twist;
-  twist.twist.linear = readTriple<geometry_msgs::Vector3>(in);
-  twist.twist.angular = readTriple<geometry_msgs::Vector3>(in);
-  for (double& element : twist.covariance) element = in.number<double>();
+/// Of a TwistWithCovariance; the covariance is passed over.
+inline geometry_msgs::Twist readTwist(WireReader& in) {
+  geometry_msgs::Twist twist;
+  twist.linear = readTriple<geometry_msgs::Vector3>(in);
+  twist.angular = readTriple<geometry_msgs::Vector3>(in);
+  in.skip(kCovarianceBytes);
   return twist;
 }
 

@@ -1,7 +1,6 @@
 #include "node.hpp"
 
 #include <ros/console.h>
-#include <topic_tools/shape_shifter.h>
 
 #include <algorithm>
 #include <chrono>
@@ -25,19 +24,6 @@ XmlRpc::XmlRpcValue valuesOf(const ros::NodeHandle& private_node) {
   XmlRpc::XmlRpcValue values;
   private_node.getParam(private_node.getNamespace(), values);
   return values;
-}
-
-Moment now() { return {ros::Time::now(), ros::SteadyTime::now()}; }
-
-using Event = ros::MessageEvent<topic_tools::ShapeShifter const>;
-
-RawMessage rawOf(const Event& event) {
-  const topic_tools::ShapeShifter& shape_shifter = *event.getConstMessage();
-  RawMessage raw{shape_shifter.getDataType(), shape_shifter.getMD5Sum(),
-                 std::vector<std::uint8_t>(shape_shifter.size()), event.getPublisherName()};
-  ros::serialization::OStream stream(raw.bytes.data(), shape_shifter.size());
-  shape_shifter.write(stream);
-  return raw;
 }
 
 /// For when nothing could be evaluated: not one number is known.
@@ -119,46 +105,6 @@ std::list<Node::Predictor> Node::makePredictors() {
   return predictors;
 }
 
-void Node::addInputs(const Predictor& predictor) {
-  const Body& body = predictor.pipeline.body();
-  addInput("obstacles", &Pipeline::receiveObstacles, predictor);
-  if (!body.footprint) addInput(body.topic, &Pipeline::receiveFootprint, predictor);
-  if (needsOdometry(*used_, body)) addInput("odom", &Pipeline::receiveOdometry, predictor);
-}
-
-void Node::addInput(const std::string& topic, Receive receive, const Predictor& taker) {
-  const auto known = std::find_if(inputs_.begin(), inputs_.end(), [&](const Input& input) {
-    return input.topic == topic && input.receive == receive;
-  });
-  if (known == inputs_.end())
-    inputs_.push_back({topic, receive, {&taker}, {}, false});
-  else
-    known->takers.push_back(&taker);
-}
-
-/// tf2_ros's own listener lets a stamp that tf2 cannot compute with end the process.
-void Node::takeTransforms(const tf2_msgs::TFMessage& message, bool fixed) {
-  for (const auto& transform : message.transforms) {
-    try {
-      tf_.setTransform(transform, "tf", fixed);
-    } catch (const std::exception& error) {
-      ROS_ERROR_STREAM_THROTTLE(1, "the transform from " << transform.header.frame_id << " to "
-                                                         << transform.child_frame_id << " stamped "
-                                                         << transform.header.stamp
-                                                         << " is ignored: " << error.what());
-    }
-  }
-}
-
-void Node::subscribeTransforms(const std::string& topic, bool fixed) {
-  const boost::function<void(const tf2_msgs::TFMessage::ConstPtr&)> callback =
-      [this, fixed](const tf2_msgs::TFMessage::ConstPtr& message) {
-        takeTransforms(*message, fixed);
-      };
-  transform_subscribers_.push_back(
-      node_.subscribe<tf2_msgs::TFMessage>(topic, kQueueSize, callback));
-}
-
 void Node::takeNewParameters() {
   const auto newest = parameters_.get();
   if (newest == used_) return;
@@ -166,49 +112,14 @@ void Node::takeNewParameters() {
   for (Predictor& predictor : predictors_) predictor.pipeline.reconfigure(*used_);
 }
 
+/// The warning first: it is what others wait for.
 void Node::publish(const Answer& answer, WarningPublisher& warnings) {
-  if (answer.prediction) predictions_.publish(*answer.prediction);
   const ros::SteadyTime finished = ros::SteadyTime::now();
   const double elapsed = secondsBetween(answer.now.steady, finished);
   const bool evaluated = !std::isnan(answer.warning.clearance);
   if (evaluated) times_.add(elapsed, 1 / used_->heartbeat_rate, finished);
   warnings.publish(finishedAfter(elapsed, answer.warning, *used_));
-}
-
-/// Raw, so that the node sees every type and every malformed message itself.
-void Node::subscribe(Input& input) {
-  const boost::function<void(const Event&)> callback = [this, &input](const Event& event) {
-    input.connected = true;
-    guarded([&] { take(input, rawOf(event), now()); });
-  };
-  input.subscriber = node_.subscribe<topic_tools::ShapeShifter, const Event&>(
-      input.topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
-}
-
-/// The other bodies look at the clock, so that all notice a jump before anything comes after it.
-void Node::take(const Input& input, const RawMessage& message, const Moment& now) {
-  forEach([&](Predictor& predictor) {
-    const auto& takers = input.takers;
-    if (std::find(takers.begin(), takers.end(), &predictor) != takers.end())
-      (predictor.pipeline.*input.receive)(message, now);
-    else
-      predictor.pipeline.process(now);
-  });
-}
-
-/// roscpp keeps even a raw subscription to the type of the first publisher it met: publishers of
-/// another type cannot connect, and nobody hears of it. So it is renewed when its publishers are
-/// gone.
-void Node::renewAbandonedInputs() {
-  for (Input& input : inputs_) {
-    const bool connected = input.subscriber.getNumPublishers() > 0;
-    if (input.connected && !connected) {
-      queue_.callAvailable();  // what they sent last
-      input.subscriber.shutdown();
-      subscribe(input);
-    }
-    input.connected = connected;
-  }
+  if (answer.prediction) predictions_.publish(*answer.prediction);
 }
 
 bool Node::isWaiting() const {

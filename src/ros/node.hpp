@@ -60,6 +60,8 @@ class Node {
     bool connected = false;  // since it was last looked at
   };
 
+  static Moment now() { return {ros::Time::now(), ros::SteadyTime::now()}; }
+
   std::list<Predictor> makePredictors();
   void addInputs(const Predictor& predictor);
   void addInput(const std::string& topic, Receive receive, const Predictor& taker);

@@ -87,7 +87,7 @@ Obstacle readCostmapObstacle(WireReader& in, const Parameters& p, const std::str
   o.radius = in.number<double>();
   o.id = in.number<std::int64_t>();
   readQuaternion(in);
-  o.velocity = readTwistWithCovariance(in).twist.linear;
+  o.velocity = readTwist(in).linear;
   if (polygon.empty()) throw MalformedMessage("an obstacle of it has a polygon without vertices");
   o.position = polygon.front();
   if (polygon.size() == 1) return o;
@@ -100,7 +100,7 @@ Obstacle readCostmapObstacle(WireReader& in, const Parameters& p, const std::str
 }
 
 void readCostmapConverter(WireReader& in, const Parameters& p, ObstacleArray& array) {
-  constexpr std::size_t kShortest = kShortestHeader + 4 + 8 + 8 + 32 + 48 + 36 * 8;
+  constexpr std::size_t kShortest = kShortestHeader + 4 + 8 + 8 + 32 + 48 + kCovarianceBytes;
   const std::size_t count = in.arrayLength(kShortest);
   requireAtMost(p.max_obstacles, "max_obstacles", count, "obstacles");
   array.obstacles.reserve(count);

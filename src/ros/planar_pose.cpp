@@ -35,15 +35,18 @@ PlanarPose project(const geometry_msgs::Transform& transform) {
 PlanarPose lookUpPose(const tf2::BufferCore& tf, const std::string& reference,
                       const std::string& frame, const ros::Time& time) {
   if (reference == frame) return {};
-  std::ostringstream where;
-  where << "transform between \"" << reference << "\" and \"" << frame << "\" at " << time << ": ";
+  const auto where = [&] {
+    std::ostringstream text;
+    text << "transform between \"" << reference << "\" and \"" << frame << "\" at " << time << ": ";
+    return text.str();
+  };
   try {
     return project(tf.lookupTransform(reference, frame, time).transform);
   } catch (const std::domain_error& error) {
-    throw TransformError(where.str() + error.what());
+    throw TransformError(where() + error.what());
   } catch (const std::exception& error) {
     // tf2's own, and std::runtime_error for times too far from those that tf2 knows
-    throw TransformError(where.str() + error.what() + " (" +
+    throw TransformError(where() + error.what() + " (" +
                          newestText(newestTransform(tf, reference, frame)) + ")");
   }
 }

@@ -8,13 +8,10 @@ std::string WireReader::string() {
   return {begin, begin + length};
 }
 
-std::size_t WireReader::arrayLength(std::size_t bytes_per_element) {
-  const std::size_t claimed = number<std::uint32_t>();
-  if (claimed > left() / bytes_per_element)
-    throw MalformedMessage("it claims " + std::to_string(claimed) + " elements at byte " +
-                           std::to_string(position_) + " but only " + std::to_string(left()) +
-                           " bytes follow");
-  return claimed;
+void WireReader::refuseLength(std::size_t claimed) const {
+  throw MalformedMessage("it claims " + std::to_string(claimed) + " elements at byte " +
+                         std::to_string(position_) + " but only " + std::to_string(left()) +
+                         " bytes follow");
 }
 
 void WireReader::finish() const {
@@ -23,13 +20,9 @@ void WireReader::finish() const {
                            std::to_string(position_));
 }
 
-const std::uint8_t* WireReader::take(std::size_t count) {
-  if (count > left())
-    throw MalformedMessage("it ends at byte " + std::to_string(bytes_.size()) +
-                           ", in the middle of a field");
-  const std::uint8_t* begin = bytes_.data() + position_;
-  position_ += count;
-  return begin;
+void WireReader::refuseEnd() const {
+  throw MalformedMessage("it ends at byte " + std::to_string(bytes_.size()) +
+                         ", in the middle of a field");
 }
 
 }  // namespace footprint_collision_predictor

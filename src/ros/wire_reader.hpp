@@ -2,6 +2,7 @@
 // bytes that are left before any memory is taken for it. (The stock deserialiser resizes first.)
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -31,16 +32,38 @@ class WireReader {
     return value;
   }
 
+  /// Several in a row.
+  template <typename Number, std::size_t count>
+  std::array<Number, count> numbers() {
+    static_assert(std::is_arithmetic_v<Number>);
+    std::array<Number, count> values;
+    std::memcpy(values.data(), take(sizeof values), sizeof values);
+    return values;
+  }
+
+  void skip(std::size_t bytes) { take(bytes); }
+
   std::string string();
 
   /// Length of an array whose elements take at least this many bytes each.
-  std::size_t arrayLength(std::size_t bytes_per_element);
+  std::size_t arrayLength(std::size_t bytes_per_element) {
+    const std::size_t claimed = number<std::uint32_t>();
+    if (claimed > left() / bytes_per_element) refuseLength(claimed);
+    return claimed;
+  }
 
   /// \throws MalformedMessage when bytes are left over
   void finish() const;
 
  private:
-  const std::uint8_t* take(std::size_t count);
+  const std::uint8_t* take(std::size_t count) {
+    if (count > left()) refuseEnd();
+    const std::uint8_t* begin = bytes_.data() + position_;
+    position_ += count;
+    return begin;
+  }
+  [[noreturn]] void refuseEnd() const;
+  [[noreturn]] void refuseLength(std::size_t claimed) const;
   std::size_t left() const { return bytes_.size() - position_; }
 
   const std::vector<std::uint8_t>& bytes_;

@@ -17,14 +17,18 @@ using footprint_collision_predictor::WarningWatchdog;
 // [s] While it is not safe, a stop is commanded so often, whether commands come or not.
 constexpr double kPeriod = 0.02;
 
+// Those of one robot come one right after another on one topic; a shorter queue would drop some.
+constexpr std::uint32_t kMostFootprints = 20;
+
 /// All callbacks come from one ros::spin(), so the watchdog needs no lock.
 class CmdVelGuard {
  public:
   CmdVelGuard() {
-    // A queue of 1: what matters is the newest. The steady timer goes on when simulated time stops.
+    // What matters is the newest; of warnings, that of each footprint. The steady timer goes on when
+    // simulated time stops.
     const auto fast = ros::TransportHints().tcpNoDelay();
     command_ = node_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
-    warnings_ = node_.subscribe("collision_warning", 1, &CmdVelGuard::takeWarning, this, fast);
+    warnings_ = node_.subscribe("collision_warning", kMostFootprints, &CmdVelGuard::takeWarning, this, fast);
     commands_ = node_.subscribe("cmd_vel_in", 1, &CmdVelGuard::handOn, this, fast);
     timer_ = node_.createSteadyTimer(ros::WallDuration(kPeriod), &CmdVelGuard::watch, this);
   }

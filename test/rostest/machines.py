@@ -124,7 +124,7 @@ class Report:
 
 
 def tell(**values):
-    print(json.dumps(values), flush=True)
+    print(json.dumps(values) + '\n', end='', flush=True)  # at once: others print, too
 
 
 def run_tracker():

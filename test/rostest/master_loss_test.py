@@ -27,7 +27,7 @@ def far_side():
     rospy.init_node('far_side', disable_signals=True)
 
     def tell(**heard):
-        print(json.dumps(heard), flush=True)
+        print(json.dumps(heard) + '\n', end='', flush=True)  # at once: others print, too
 
     def hear_diagnostics(message):
         for status in message.status:
@@ -38,6 +38,7 @@ def far_side():
                      lambda w: tell(level=w.level, sequence=w.sequence))
     rospy.Subscriber('/diagnostics', DiagnosticArray, hear_diagnostics)
     obstacles = rospy.Publisher('/obstacles', ObstacleArray, queue_size=1)
+    tell(ready=True)
     while True:
         message = ObstacleArray()
         message.header.frame_id, message.header.stamp = 'base_link', rospy.Time.now()
@@ -54,15 +55,16 @@ class MasterLoss(RosTestCase):
         self.master = self.start('rosmaster', '--core', '-p', str(port))
         master = rosgraph.Master(rospy.get_name(), self.environment['ROS_MASTER_URI'])
         wait_until(master.is_online, 'the master')
-        self.node = self.start(
-            find_node(PACKAGE, NODE)[0], '_footprint:=[[1, 1], [-1, 1], [-1, -1], [1, -1]]',
-            '_ego_motion:=static', '_diagnostic_period:=0.1', '_max_data_age:=5.0')
         self.lines = queue.Queue()
         far = self.start(sys.executable, __file__, '--far-side', stdout=subprocess.PIPE, text=True)
         reader = threading.Thread(target=lambda: [self.lines.put(line) for line in far.stdout])
         reader.start()
         self.addCleanup(reader.join)
         self.addCleanup(far.kill)
+        self.wait_for(lambda h: 'ready' in h, 'the far side, before it can miss the node')
+        self.node = self.start(
+            find_node(PACKAGE, NODE)[0], '_footprint:=[[1, 1], [-1, 1], [-1, -1], [1, -1]]',
+            '_ego_motion:=static', '_diagnostic_period:=0.1', '_max_data_age:=5.0')
 
     def start(self, *command, **options):
         process = subprocess.Popen(command, env=self.environment, **options)

@@ -130,6 +130,7 @@ class Rig:
         for name, value in parameters.items():
             rospy.set_param('/'.join((self.namespace, NODE, name)), value)
         try:
+            self._listen()
             self.start()
             self._connect(obstacles_class)
         except BaseException:
@@ -147,10 +148,14 @@ class Rig:
     def run(self, *command, name):
         return subprocess.Popen([*command, '__ns:=' + self.namespace, '__name:=' + name])
 
-    def _connect(self, obstacles_class):
+    def _listen(self):
+        """Before the node starts: rospy may take the master's answer to a subscription, which lacks
+        a publisher that comes just then, for newer than the news of that publisher."""
         self.warnings = self._kept(Recorder(self.topic('collision_warning'), CollisionWarning))
         self.predictions = self._kept(
             Recorder(self.topic('collision_prediction'), CollisionPrediction))
+
+    def _connect(self, obstacles_class):
         self.predictions.wait_connected()
         self.warnings.wait_for(lambda w: True, 'the first heartbeat')
         if obstacles_class:

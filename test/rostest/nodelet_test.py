@@ -12,6 +12,7 @@ from node_testing import (BOX, NODE, PACKAGE, PATIENT, TIMEOUT, Recorder, Rig, c
                           wait_until)
 from roslib.packages import find_node
 from ros_test_case import RosTestCase, run
+from several_bodies import BASE, of
 
 NODELET = find_node('nodelet', 'nodelet')[0]
 PLUGIN = 'footprint_collision_predictor/Predictor'
@@ -96,6 +97,15 @@ class Nodelet(RosTestCase):
             theirs = self.comparable(node.warning_at(stamp))
             ours['message'] = ours['message'].replace(nodelet.namespace, node.namespace)
             self.assertEqual(ours, theirs)
+
+    def test_several_bodies(self):
+        """The base has 2 m to go, the load on it 1 m, both at 1 m/s."""
+        load = dict(BASE, name='load', polygon=[[x + 1, y] for x, y in BOX])
+        rig = self.managed(footprints=[BASE, load], ego_motion='static', max_data_age=30.0)
+        stamp = rig.send([circle(7, (3.5, 0), (-1, 0))])
+        for name, seconds in ('base', 2), ('load', 1):
+            warning = of(name, rig.warnings, stamp)
+            self.assertAlmostEqual(warning.time_to_collision, seconds, delta=1e-9)
 
     def test_by_the_launch_file(self):
         rig = LaunchedRig()

@@ -8,9 +8,11 @@ import rospy
 from node_testing import BOX, NODE, PACKAGE, TIMEOUT
 from roslib.packages import find_node
 from ros_test_case import RosTestCase, run
+from several_bodies import BASE, TRAILER, without
 
 ORDER = ('0 < critical_time <= warn_time <= horizon',)
 FORMS = ('[[0.3, 0.2], [-0.3, 0.2], [-0.3, -0.2]]', '"[[0.3, 0.2], [-0.3, 0.2], [-0.3, -0.2]]"')
+LIST = ('~footprints', 'allowed is a list with {name: trailer, frame_id: trailer, polygon: [[')
 BOW_TIE = [[1.0, 1.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0]]
 
 # Times that must be positive, rates and counts: every way to get one wrong.
@@ -56,6 +58,32 @@ CASES += [
     ({'footprint': BOW_TIE}, ('~footprint', 'cross', '(1, 1)')),
     ({'footprint': str(BOW_TIE)}, ('~footprint', 'cross', '(1, 1)')),
     ({'footprint': BOX, 'max_vertices': 3}, ('~footprint', '4 vertices', '~max_vertices 3')),
+    ({'footprints': 'trailer'}, LIST),
+    ({'footprints': []}, LIST),
+    ({'footprints': [BASE, 'trailer']}, ('~footprints[1] is trailer',) + LIST),
+    ({'footprints': [BASE], 'footprint': BOX}, ('~footprint and ~footprints are both set',)),
+    ({'footprints': [BASE, dict(TRAILER, name='base')]},
+     ('~footprints[1].name is base', '~footprints[0]')),
+    ({'footprints': [BASE, dict(TRAILER, name='my trailer')]},
+     ('~footprints[1].name', 'my trailer', 'allowed is')),
+    ({'footprints': [BASE, without(TRAILER, 'frame_id')]}, ('~footprints[1].frame_id is missing',)),
+    ({'footprints': [BASE, without(TRAILER, 'frame_id', frame='x')]},
+     ('unknown parameter ~footprints[1].frame;', 'did you mean ~footprints[1].frame_id?')),
+    ({'footprints': [BASE, without(TRAILER, 'polygon')]},
+     ('~footprints[1] has neither polygon nor topic',)),
+    ({'footprints': [BASE, dict(TRAILER, topic='x')]}, ('~footprints[1] has both polygon and topic',)),
+    ({'footprints': [BASE, without(TRAILER, 'polygon', topic='a b')]},
+     ('~footprints[1].topic', 'a b', 'the name of a topic')),
+    ({'footprints': [BASE, dict(TRAILER, motion='map')]},
+     ('~footprints[1].motion is map', 'odom or static or tf')),
+    ({'footprints': [BASE, dict(TRAILER, motion='odom')], 'ego_motion': 'static'},
+     ('~footprints[1].motion is odom', '~ego_motion is static')),
+    ({'footprints': [BASE, dict(TRAILER, polygon=BOW_TIE)]},
+     ('~footprints[1].polygon is refused', 'cross', '(1, 1)')),
+    ({'footprints': [dict(BASE, polygon=[[1, 1], [math.nan, 1], [0, 0]])]},
+     ('~footprints[0].polygon is refused', 'vertex 1', 'nan')),
+    ({'footprints': [BASE], 'max_vertices': 3},
+     ('~footprints[0].polygon is refused', '4 vertices', '~max_vertices 3')),
 ]
 
 

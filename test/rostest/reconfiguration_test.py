@@ -84,6 +84,13 @@ class Reconfiguration(RosTestCase):
         after = self.node.warning_at(self.node.send([AHEAD]))
         self.assertEqual((after.level, after.horizon), (after.CRITICAL, 10.0))
 
+    def test_a_message_right_after_a_change(self):
+        """Also one that comes while the node waits for its next heartbeat."""
+        for horizon in range(6, 26):
+            self.change(horizon=horizon)
+            warning = self.node.warning_at(self.node.send([AHEAD]))
+            self.assertEqual(warning.horizon, horizon)
+
     def test_without_messages_a_change_counts_at_once(self):
         self.change(horizon=10.0)
         self.node.warnings.wait_for(lambda w: w.horizon == 10, 'the new horizon')

@@ -18,6 +18,7 @@ def recording(test_case, name):
 def play(test_case, path, topics, *options):
     """Starts the player, which waits for its subscribers; ended with the test."""
     command = ['rosbag', 'play', '--quiet', '--clock', '--hz', '1000', '--wait-for-subscribers',
+               '--queue', '10000',  # a machine that is busy for a moment loses nothing
                *options, path, '--topics', *topics]
     player = subprocess.Popen(command, stdin=subprocess.DEVNULL)
 

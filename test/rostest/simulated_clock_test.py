@@ -8,6 +8,7 @@ import rospy
 from footprint_collision_predictor.msg import CollisionWarning
 from node_testing import PATIENT, Publisher, Recorder, circle, transform
 from ros_test_case import RosTestCase, run
+from several_bodies import PATIENT_ROBOT, straight
 
 CLOCK = CollisionWarning.REASON_CLOCK
 LAG = 0.25  # [s] by which messages are stamped behind the clock, since /clock may come after them
@@ -127,6 +128,48 @@ class SimulatedClock(RosTestCase):
         self.assertEqual(said.level, said.WARN)
         self.send_until(clock, lambda w: w.level == w.CLEAR, 'CLEAR')
         self.assertEqual(len([e for e in log.messages if 'jumped back' in e.msg]), 1)
+
+    def test_Fault19_jumps_back_for_every_body(self):
+        """A motion that is taken from tf is known again only from transforms of the new time."""
+        self.node.close()
+        self.node = self.rig(**dict(PATIENT_ROBOT, ego_motion='static', max_data_age=2.0,
+                                    transform_tolerance=0.1))
+        log = Recorder('/rosout', rosgraph_msgs.msg.Log)
+        self.addCleanup(log.close)
+        log.wait_connected(2)  # the node, and this test itself
+        clock = self.started(1000)
+        self.send_trailer_until(clock, lambda w: w.level == w.CLEAR, 'CLEAR')
+        mark = self.node.warnings.mark()
+        clock.jump(500)
+        for name in 'base', 'trailer':
+            back = self.node.warnings.wait_for(
+                lambda w: w.footprint == name and w.header.stamp.to_sec() < 900, since=mark)
+            self.assertUnknown(back, back.REASON_OBSTACLES_MISSING)
+        stamp = clock.stamp()
+        self.node.send([], 'trailer', stamp)
+        lost = self.node.warnings.wait_for(
+            lambda w: w.footprint == 'trailer' and w.header.stamp >= stamp and w.reason ==
+            w.REASON_TRANSFORM, 'an unknown motion', mark)
+        self.assertUnknown(lost, lost.REASON_TRANSFORM)
+        self.send_trailer_until(clock, lambda w: w.level == w.CLEAR, 'CLEAR')
+        self.assertEqual(len([e for e in log.messages if 'jumped back' in e.msg]), 1)
+
+    def send_trailer_until(self, clock, condition, what):
+        """With transforms over ground; what the base says does not count."""
+        def send(obstacles, frame, stamp):
+            self.node.send_transforms(*straight('trailer', 0, 0, 1, stamp),
+                                      *straight('base_link', 4, 0, 1, stamp))
+            self.node.send(obstacles, frame, stamp)
+
+        mark = self.node.warnings.mark()
+        for _ in range(1500):
+            send([], 'odom', clock.stamp())
+            try:
+                return self.node.warnings.wait_for(
+                    lambda w: w.footprint == 'trailer' and condition(w), what, mark, timeout=0.02)
+            except AssertionError:
+                continue
+        raise AssertionError('in vain for ' + what + '\n%s' % self.node.warnings.messages[-1])
 
     def test_Fault19_transforms_of_the_old_time_are_dropped(self):
         """The clock jumps back to where the tf buffer still had an answer, of the old time."""

@@ -5,6 +5,7 @@ from diagnostics_reading import ERROR, OK, DiagnosticsReader
 from node_testing import BOX, NODE, Recorder, circle
 from ros_test_case import RosTestCase, run
 from several_bodies import PATIENT_ROBOT, of, straight
+from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 FAR = circle(9, (0, 80))
@@ -20,6 +21,7 @@ def robot(name):
 class TwoRobots(RosTestCase):
     def setUp(self):
         self.first, self.second = self.rig(**robot('r1')), self.rig(**robot('r2'))
+        self.first.publisher('/tf', TFMessage, connections=2)  # both hear what is sent to either
 
     def send(self, node, name, y, obstacles):
         """A robot that drives along y = const at 1 m/s, its trailer's frame 4 m behind."""

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <thread>
 
 #include "../exit_status.hpp"
@@ -26,7 +27,7 @@ void complain(const std::string& text) { std::fprintf(stderr, "analyze_bag: %s\n
 
 std::vector<BagReport> analyzeAll(const Options& options, const BagAnalysis& analysis,
                                   OutputFolder* output) {
-  std::vector<BagReport> reports(options.bags.size());
+  std::vector<BagReport> reports(analysis.count());
   Progress progress(progressStyle(options.quiet), reports.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
@@ -42,10 +43,13 @@ std::vector<BagReport> analyzeAll(const Options& options, const BagAnalysis& ana
 
 void write(const std::vector<BagReport>& reports, const Options& options,
            const Parameters& parameters, OutputFolder& output) {
-  output.writeFrames(options.bags);
-  std::string events = eventsHeader() + "\n";
-  for (const BagReport& report : reports)
-    for (const Event& event : report.events) events += eventsRow(event, report.bag) + "\n";
+  std::vector<RowOrigin> origins;
+  for (const BagReport& report : reports) origins.push_back({report.footprint, report.bag});
+  output.writeFrames(origins);
+  std::string events = eventsHeader() + originHeader(origins.front()) + "\n";
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    for (const Event& event : reports[i].events)
+      events += eventsRow(event) + originColumns(origins[i]) + "\n";
   output.write("events.csv", events);
   output.write("summary.json", jsonText(summaryJson(reports, options, parameters), 1) + "\n");
   if (options.no_report) return;
@@ -54,32 +58,38 @@ void write(const std::vector<BagReport>& reports, const Options& options,
     output.write("report.html", [&](std::ostream& out) { writeReportList(reports, options, out); });
 }
 
-int plan(const Options& options, const Parameters& parameters, const BagAnalysis& analysis) {
+/// Each problem once, though it may stop every body's analysis of a bag.
+void complainOf(const std::vector<BagReport>& reports) {
+  std::set<std::string> told;
+  for (const BagReport& report : reports)
+    if (!report.problem.empty() && told.insert(report.problem).second) complain(report.problem);
+}
+
+int plan(const Parameters& parameters, const BagAnalysis& analysis) {
+  std::vector<BagReport> reports;
   int status = kDone;
-  for (std::size_t i = 0; i < options.bags.size(); ++i) {
-    const BagReport report = analysis.look(i);
-    std::printf("%s", planText(report, parameters).c_str());
-    if (report.problem.empty()) continue;
-    complain(report.problem);
-    status = status == kUsage ? kUsage : report.status;
+  for (std::size_t i = 0; i < analysis.count(); ++i) {
+    reports.push_back(analysis.look(i));
+    std::printf("%s", planText(reports.back(), parameters, analysis.bodyAt(i)).c_str());
+    if (reports.back().problem.empty()) continue;
+    status = status == kUsage ? kUsage : reports.back().status;
   }
+  complainOf(reports);
   return status;
 }
 
 int run(const Options& options) {
   const Parameters parameters = parametersOf(options);
+  const BagAnalysis analysis(options, parameters);
   std::unique_ptr<OutputFolder> output;
   if (!options.output.empty())
-    output = std::make_unique<OutputFolder>(options.output, options.bags.size());
-  const BagAnalysis analysis(options, parameters);
-  if (options.dry_run) return plan(options, parameters, analysis);
+    output = std::make_unique<OutputFolder>(options.output, analysis.count());
+  if (options.dry_run) return plan(parameters, analysis);
   watchForInterruption();
   const auto reports = analyzeAll(options, analysis, output.get());
   if (output) write(reports, options, parameters, *output);
-  for (const BagReport& report : reports) {
-    if (!report.problem.empty()) complain(report.problem);
-    std::printf("%s", summaryText(report, options).c_str());
-  }
+  complainOf(reports);
+  for (const BagReport& report : reports) std::printf("%s", summaryText(report, options).c_str());
   if (isInterrupted()) complain("interrupted: the results are partial");
   return exitStatus(reports, options, isInterrupted());
 }

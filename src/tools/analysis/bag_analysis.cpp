@@ -13,9 +13,16 @@ double seconds(const Window& window) { return (window.end - window.begin).toSec(
 
 }  // namespace
 
-BagReport BagAnalysis::analyze(std::size_t index, OutputFolder* output, Progress& progress) const {
+BagReport BagAnalysis::begun(std::size_t index) const {
   BagReport report;
-  report.bag = options_.bags.at(index);
+  report.bag = options_.bags.at(index / bodies_.size());
+  if (bodies_.size() > 1) report.footprint = bodyAt(index).name;
+  report.page = pageName(report, index, count());
+  return report;
+}
+
+BagReport BagAnalysis::analyze(std::size_t index, OutputFolder* output, Progress& progress) const {
+  BagReport report = begun(index);
   std::optional<Film> film;
   if (output != nullptr && !options_.no_report) film.emplace(parameters_.thresholds.warn_time);
   try {
@@ -27,19 +34,19 @@ BagReport BagAnalysis::analyze(std::size_t index, OutputFolder* output, Progress
     report.partial = report.statistics.evaluations() > 0;
   }
   if (film)
-    output->writePage(index, pageName(options_, index), [&](std::ostream& out) {
+    output->writePage(index, report.page, [&](std::ostream& out) {
       writeReport(report, *film, options_, parameters_, out);
     });
   return report;
 }
 
 BagReport BagAnalysis::look(std::size_t index) const {
-  BagReport report;
-  report.bag = options_.bags.at(index);
+  BagReport report = begun(index);
   try {
     const Recording recording(report.bag);
     report.window = windowOf(recording.span(), report.bag);
-    report.topics = chooseTopics(report.bag, recording.topics(), options_, parameters_);
+    report.topics =
+        chooseTopics(report.bag, recording.topics(), options_, parameters_, bodyAt(index));
   } catch (const BagProblem& problem) {
     report.status = problem.status();
     report.problem = problem.what();
@@ -55,7 +62,8 @@ void BagAnalysis::run(std::size_t index, OutputFolder* output, Film* film, Progr
   }
   const Recording recording(report.bag);
   report.window = windowOf(recording.span(), report.bag);
-  report.topics = chooseTopics(report.bag, recording.topics(), options_, parameters_);
+  report.topics =
+      chooseTopics(report.bag, recording.topics(), options_, parameters_, bodyAt(index));
   EventFinder events(parameters_.thresholds.warn_time, parameters_.max_data_age);
   const auto take = [&](const Evaluation& evaluation) {
     report.statistics.take(evaluation);
@@ -63,7 +71,7 @@ void BagAnalysis::run(std::size_t index, OutputFolder* output, Film* film, Progr
     if (output != nullptr) output->rows(index).take(evaluation);
     if (film != nullptr) film->take(evaluation);
   };
-  Replay replay(parameters_, report.topics.names, report.window, take);
+  Replay replay(parameters_, bodyAt(index), report.topics.names, report.window, take);
   ros::Time reached = report.window.begin;
   const auto finish = [&](const ros::Time& end) {
     replay.finish(end);

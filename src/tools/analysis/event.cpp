@@ -87,10 +87,10 @@ std::vector<Event> EventFinder::finish() {
 std::string eventsHeader() {
   return "start,end,duration,start_elapsed,end_elapsed,worst,worst_elapsed,time_to_collision,level,"
          "segment,obstacle_id,obstacle_index,contact_x,contact_y,closing_speed,closest_distance,"
-         "contact,ended,bag";
+         "contact,ended";
 }
 
-std::string eventsRow(const Event& event, const std::string& bag) {
+std::string eventsRow(const Event& event) {
   const auto whole = [](auto value) { return static_cast<std::int64_t>(value); };
   const WorstMoment& worst = event.worst;
   CsvLine line;
@@ -100,7 +100,6 @@ std::string eventsRow(const Event& event, const std::string& bag) {
   line.add(worst.obstacle_id).add(whole(worst.obstacle_index));
   line.add(worst.contact_point.x).add(worst.contact_point.y).add(worst.closing_speed);
   line.add(event.closest_distance).add(whole(event.contact)).add(std::string(wordFor(event.ended)));
-  line.add(bag);
   return line.text();
 }
 

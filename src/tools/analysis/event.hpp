@@ -65,8 +65,8 @@ class EventFinder {
   std::vector<Event> events_;
 };
 
-/// First line of events.csv, and a line for an event.
+/// First line of events.csv, and a line for an event, without where it is from.
 std::string eventsHeader();
-std::string eventsRow(const Event& event, const std::string& bag);
+std::string eventsRow(const Event& event);
 
 }  // namespace footprint_collision_predictor::tools

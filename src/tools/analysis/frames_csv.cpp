@@ -20,7 +20,7 @@ constexpr std::size_t kColumnCount = 22;
 std::string framesHeader(std::size_t segments) {
   std::string header = kColumns;
   for (std::size_t i = 0; i < segments; ++i) header += ",time_to_collision_" + std::to_string(i);
-  return header + ",bag";
+  return header;
 }
 
 std::string framesRow(const Evaluation& evaluation) {
@@ -44,8 +44,8 @@ std::string framesRow(const Evaluation& evaluation) {
 }
 
 std::string framesRowEnd(std::size_t segments_in_row, std::size_t segments,
-                         const std::string& bag) {
-  return std::string(segments - segments_in_row, ',') + ',' + CsvLine().add(bag).text();
+                         const RowOrigin& origin) {
+  return std::string(segments - segments_in_row, ',') + originColumns(origin);
 }
 
 std::size_t segmentsIn(const std::string& row) {

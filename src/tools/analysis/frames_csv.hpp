@@ -1,13 +1,14 @@
-// frames.csv: a row for each evaluation; numbers all through, but for the bag's name at the end.
+// frames.csv: a row for each evaluation; numbers all through, but for where it is from at the end.
 #pragma once
 
 #include <string>
 
 #include "replay.hpp"
+#include "row_origin.hpp"
 
 namespace footprint_collision_predictor::tools {
 
-/// The first line of a file whose rows have up to so many segments.
+/// The first line, up to the last segment, of a file whose rows have up to so many.
 std::string framesHeader(std::size_t segments);
 
 /// A row up to its last segment. The footprint may come from a topic, so how many segments there
@@ -15,7 +16,8 @@ std::string framesHeader(std::size_t segments);
 std::string framesRow(const Evaluation& evaluation);
 
 /// What the row lacks.
-std::string framesRowEnd(std::size_t segments_in_row, std::size_t segments, const std::string& bag);
+std::string framesRowEnd(std::size_t segments_in_row, std::size_t segments,
+                         const RowOrigin& origin);
 
 /// How many segments a row without its end has.
 std::size_t segmentsIn(const std::string& row);

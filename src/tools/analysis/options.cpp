@@ -52,7 +52,8 @@ class Changes {
 void addInputs(CLI::App& app, Options& options) {
   app.add_option("BAG", options.bags, "recordings")->expected(0, -1);
   app.add_option("--obstacles", options.obstacles, "topic of the obstacles (default: by type)");
-  app.add_option("--footprint", options.footprint, "topic of the footprint (default: by type)");
+  app.add_option("--footprint", options.footprint,
+                 "topic of a single footprint (default: by type)");
   app.add_option("--odom", options.odom, "topic of the odometry (default: by type)");
   app.add_option("--start", options.start, "begin so many seconds after the bag's begin")
       ->check(CLI::Range(0.0, kLongest));

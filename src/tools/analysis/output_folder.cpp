@@ -23,11 +23,11 @@ std::unique_ptr<PartialFile> written(const std::string& path, const Content& con
   return file;
 }
 
-void copyRows(const std::string& from, std::size_t segments, const std::string& bag,
+void copyRows(const std::string& from, std::size_t segments, const RowOrigin& origin,
               std::ostream& out) {
   std::ifstream in(from, std::ios::binary);
   for (std::string row; std::getline(in, row);)
-    out << row << framesRowEnd(segmentsIn(row), segments, bag) << '\n';
+    out << row << framesRowEnd(segmentsIn(row), segments, origin) << '\n';
 }
 
 }  // namespace
@@ -60,33 +60,34 @@ void LateFile::finish() {
   if (file_) file_->finish();
 }
 
-OutputFolder::OutputFolder(const std::string& path, std::size_t bags) : path_(path), pages_(bags) {
+OutputFolder::OutputFolder(const std::string& path, std::size_t reports)
+    : path_(path), pages_(reports) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) throw WriteError("cannot make the folder " + path + ": " + error.message());
-  for (std::size_t bag = 0; bag < bags; ++bag)
+  for (std::size_t i = 0; i < reports; ++i)
     rows_.push_back(
-        std::make_unique<RowsFile>(path + "/frames.csv." + std::to_string(bag) + ".part"));
+        std::make_unique<RowsFile>(path + "/frames.csv." + std::to_string(i) + ".part"));
 }
 
-void OutputFolder::writeFrames(const std::vector<std::string>& bags) {
+void OutputFolder::writeFrames(const std::vector<RowOrigin>& origins) {
   std::size_t segments = 0;
   for (const auto& rows : rows_) {
     rows->finish();
     segments = std::max(segments, rows->segments());
   }
   write("frames.csv", [&](std::ostream& out) {
-    out << framesHeader(segments) << '\n';
+    out << framesHeader(segments) << originHeader(origins.front()) << '\n';
     for (std::size_t i = 0; i < rows_.size(); ++i)
-      copyRows(rows_[i]->path(), segments, bags.at(i), out);
+      copyRows(rows_[i]->path(), segments, origins.at(i), out);
   });
 }
 
-void OutputFolder::writePage(std::size_t bag, const std::string& name, const Content& content) {
+void OutputFolder::writePage(std::size_t report, const std::string& name, const Content& content) {
   std::error_code ignored;  // writing fails then, and says so
   std::filesystem::create_directories(std::filesystem::path(path_ + "/" + name).parent_path(),
                                       ignored);
-  pages_.at(bag).write(path_ + "/" + name, content);
+  pages_.at(report).write(path_ + "/" + name, content);
 }
 
 void OutputFolder::finishPages() {

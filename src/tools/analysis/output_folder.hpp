@@ -10,10 +10,11 @@
 
 #include "../partial_file.hpp"
 #include "replay.hpp"
+#include "row_origin.hpp"
 
 namespace footprint_collision_predictor::tools {
 
-/// The rows of one bag as they come, kept in a file until it is known what those of the other bags
+/// The rows of one report as they come, kept in a file until it is known what those of the others
 /// are like. Writing fails late: finish() tells.
 class RowsFile {
  public:
@@ -53,15 +54,16 @@ class LateFile {
 /// then.
 class OutputFolder {
  public:
-  /// Makes the folder, and a file for the rows of each bag. \throws WriteError
-  OutputFolder(const std::string& path, std::size_t bags);
+  /// Makes the folder, and a file for the rows of each report. \throws WriteError
+  OutputFolder(const std::string& path, std::size_t reports);
 
-  RowsFile& rows(std::size_t bag) { return *rows_.at(bag); }
+  RowsFile& rows(std::size_t report) { return *rows_.at(report); }
 
-  /// Joins the rows of all bags to frames.csv. \throws WriteError
-  void writeFrames(const std::vector<std::string>& bags);
-  /// The page of one bag, which is kept back until finishPages().
-  void writePage(std::size_t bag, const std::string& name,
+  /// Joins the rows of all reports to frames.csv. \throws WriteError
+  /// \param origins what the rows of each end with
+  void writeFrames(const std::vector<RowOrigin>& origins);
+  /// One report's page, which is kept back until finishPages().
+  void writePage(std::size_t report, const std::string& name,
                  const std::function<void(std::ostream&)>& content);
   /// \throws WriteError
   void finishPages();
@@ -71,8 +73,8 @@ class OutputFolder {
 
  private:
   std::string path_;
-  std::vector<LateFile> pages_;                  // likewise
-  std::vector<std::unique_ptr<RowsFile>> rows_;  // by the place of the bag on the command line
+  std::vector<LateFile> pages_;                  // by the index of the report
+  std::vector<std::unique_ptr<RowsFile>> rows_;  // likewise
 };
 
 }  // namespace footprint_collision_predictor::tools

@@ -94,11 +94,12 @@ struct ByteStream {
   }
 };
 
-RawMessage rawOf(const rosbag::MessageInstance& message) {
-  RawMessage raw{message.getDataType(), message.getMD5Sum(), {}};
-  ByteStream stream{raw.bytes};
+/// Into the memory of the message before.
+void readInto(const rosbag::MessageInstance& message, RawMessage* raw) {
+  raw->type = message.getDataType();
+  raw->md5 = message.getMD5Sum();
+  ByteStream stream{raw->bytes};
   message.write(stream);
-  return raw;
 }
 
 ros::Time earlier(const ros::Time& time, double seconds) {
@@ -148,7 +149,9 @@ void Recording::read(const Window& window, const std::map<std::string, Input>& i
   RecordedMessage read;
   while (message != view.end() && go_on()) {
     reading(path_, [&] {
-      read = {inputs.at(message->getTopic()), message->getTime(), rawOf(*message)};
+      read.input = inputs.at(message->getTopic());
+      read.recorded = message->getTime();
+      readInto(*message, &read.raw);
       ++message;
     });
     take(read);

@@ -48,13 +48,13 @@ std::int32_t obstacleIndexOf(const Answer& answer) {
   return answer.prediction->segments.at(segment).obstacle_index;
 }
 
-Replay::Replay(const Parameters& parameters, const InputNames& names, const Window& window,
-               Take take)
+Replay::Replay(const Parameters& parameters, const Body& body, const InputNames& names,
+               const Window& window, Take take)
     : window_(window),
       patience_(ros::Duration(parameters.transform_tolerance) + kNanosecond),
       silence_(ros::Duration(parameters.max_data_age) + kNanosecond),
       take_(std::move(take)),
-      pipeline_(parameters, bodiesOf(parameters).front(), names, tf_, true,
+      pipeline_(parameters, body, names, tf_, true,
                 [this](const Answer& answer) { publish(answer, false); }),
       silent_at_(window.begin + silence_) {}
 

@@ -28,7 +28,8 @@ class Replay {
  public:
   using Take = std::function<void(const Evaluation&)>;
 
-  Replay(const Parameters& parameters, const InputNames& names, const Window& window, Take take);
+  Replay(const Parameters& parameters, const Body& body, const InputNames& names,
+         const Window& window, Take take);
 
   /// In the order of recording. Obstacles before the window are passed over.
   void take(const RecordedMessage& message);

@@ -20,6 +20,8 @@ using Json = nlohmann::ordered_json;
 // Rows of the table of events, at most; events.csv has them all.
 constexpr std::size_t kMostEvents = 2000;
 
+constexpr char kOnlyPage[] = "report.html";
+
 /// JSON for a script element, which ends at the first "</script" whatever stands before it.
 std::string scriptText(const Json& json) {
   std::string safe;
@@ -104,7 +106,7 @@ Json describe(const BagReport& report, const Film& film, const Options& options,
   json["max_unknown"] = options.max_unknown;
   json["fail_under"] = options.fail_under ? Json(*options.fail_under) : Json(nullptr);
   json["window_seconds"] = (report.window.end - report.window.begin).toSec();
-  json["several"] = options.bags.size() > 1;
+  json["several"] = report.page != kOnlyPage;
   json["thinned"] = film.isThinned();
   json["styles"] = stylesJson();
   json["reason_names"] = reasonNames();
@@ -117,14 +119,15 @@ Json describe(const BagReport& report, const Film& film, const Options& options,
 
 }  // namespace
 
-std::string pageName(const Options& options, std::size_t bag) {
-  if (options.bags.size() == 1) return "report.html";
-  std::string stem = std::filesystem::path(options.bags.at(bag)).stem().string();
+std::string pageName(const BagReport& report, std::size_t index, std::size_t count) {
+  if (count == 1) return kOnlyPage;
+  std::string stem = std::filesystem::path(report.bag).stem().string().substr(0, 100);
+  if (!report.footprint.empty()) stem += "_" + report.footprint.substr(0, 100);
   for (char& c : stem)  // for links and any file system
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
   char number[32];
-  std::snprintf(number, sizeof number, "%04zu_", bag + 1);
-  return "reports/" + (number + stem.substr(0, 100)) + ".html";
+  std::snprintf(number, sizeof number, "%04zu_", index + 1);
+  return "reports/" + (number + stem) + ".html";
 }
 
 void writeReport(const BagReport& report, const Film& film, const Options& options,
@@ -147,10 +150,10 @@ void writeReportList(const std::vector<BagReport>& reports, const Options& optio
   json["program"] = "analyze_bag " PACKAGE_VERSION;
   json["styles"] = stylesJson();
   json["bags"] = Json::array();
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    json["bags"].push_back(bagJson(reports[i], options));
-    json["bags"].back()["verdict"] = verdictText(reports[i], options);
-    json["bags"].back()["page"] = pageName(options, i);
+  for (const BagReport& report : reports) {
+    json["bags"].push_back(bagJson(report, options));
+    json["bags"].back()["verdict"] = verdictText(report, options);
+    json["bags"].back()["page"] = report.page;
   }
   const PageText page = reportListPage();
   out << page.before_data << scriptText(json) << page.after_data;

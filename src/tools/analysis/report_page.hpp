@@ -1,4 +1,4 @@
-// report.html: the page of one bag, and the list of several.
+// report.html: the page of one report, and the list of several.
 #pragma once
 
 #include <ostream>
@@ -10,16 +10,17 @@
 
 namespace footprint_collision_predictor::tools {
 
-/// Where the page of a bag goes, relative to the output folder: report.html, and for several bags
+/// Where the page of a report goes, relative to the output folder: report.html, and of several
 /// reports/0001_NAME.html, ...
-std::string pageName(const Options& options, std::size_t bag);
+/// \param index of the report, of `count`
+std::string pageName(const BagReport& report, std::size_t index, std::size_t count);
 
 /// One file that needs no other and no network. The text of a bag (names, messages) is data there,
 /// never markup.
 void writeReport(const BagReport& report, const Film& film, const Options& options,
                  const Parameters& parameters, std::ostream& out);
 
-/// The bags, the nearest to a contact first.
+/// The reports, the nearest to a contact first.
 void writeReportList(const std::vector<BagReport>& reports, const Options& options,
                      std::ostream& out);
 

@@ -29,6 +29,6 @@ std::string verdictText(const BagReport& report, const Options& options);
 std::string summaryText(const BagReport& report, const Options& options);
 
 /// For --dry-run.
-std::string planText(const BagReport& report, const Parameters& parameters);
+std::string planText(const BagReport& report, const Parameters& parameters, const Body& body);
 
 }  // namespace footprint_collision_predictor::tools

@@ -13,6 +13,22 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json idOrNull(std::int64_t value) { return value < 0 ? Json(nullptr) : Json(value); }
 
+Json jsonOf(const std::optional<core::Polygon>& polygon) {
+  if (!polygon) return nullptr;
+  Json json = Json::array();
+  for (const auto& vertex : polygon->vertices()) json.push_back({vertex.x(), vertex.y()});
+  return json;
+}
+
+Json jsonOf(const Body& body) {
+  const bool by_tf = body.motion == BodyMotion::kTf;
+  Json json = {{"name", body.name}, {"frame_id", body.frame}};
+  json["polygon"] = jsonOf(body.footprint);
+  json["topic"] = body.footprint ? Json(nullptr) : Json(body.topic);
+  json["motion"] = by_tf ? "tf" : body.motion == BodyMotion::kOdom ? "odom" : "static";
+  return json;
+}
+
 Json jsonOf(const std::optional<WorstMoment>& worst) {
   if (!worst) return nullptr;
   return {{"time_to_collision", worst->time_to_collision},
@@ -64,12 +80,8 @@ Json topics(const TopicChoice& choice) {
 
 Json parametersJson(const Parameters& p) {
   Json json;
-  json["footprint"] = nullptr;
-  if (p.footprint) {
-    json["footprint"] = Json::array();
-    for (const auto& vertex : p.footprint->vertices())
-      json["footprint"].push_back({vertex.x(), vertex.y()});
-  }
+  json["footprint"] = jsonOf(p.footprint);
+  for (const Body& body : p.footprints) json["footprints"].push_back(jsonOf(body));
   json["base_frame"] = p.base_frame;
   json["fixed_frame"] = p.fixed_frame;
   json["horizon"] = p.horizon;
@@ -90,6 +102,7 @@ Json bagJson(const BagReport& report, const Options& options) {
   const Statistics& s = report.statistics;
   Json json;
   json["bag"] = report.bag;
+  if (!report.footprint.empty()) json["footprint"] = report.footprint;
   json["state"] = wordFor(s.verdict(options.max_unknown));
   json["problem"] = report.problem.empty() ? Json(nullptr) : Json(report.problem);
   json["partial"] = report.partial;

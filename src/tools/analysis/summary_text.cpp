@@ -65,6 +65,10 @@ std::string reasonLines(const Statistics& s) {
   return text;
 }
 
+std::string nameOf(const BagReport& report) {
+  return report.bag + (report.footprint.empty() ? "" : " [" + report.footprint + "]");
+}
+
 }  // namespace
 
 std::string verdictText(const BagReport& report, const Options& options) {
@@ -86,9 +90,9 @@ std::string verdictText(const BagReport& report, const Options& options) {
 std::string summaryText(const BagReport& report, const Options& options) {
   const Statistics& s = report.statistics;
   if (s.evaluations() == 0)
-    return report.bag + ": " +
+    return nameOf(report) + ": " +
            (report.partial ? "partial: interrupted before its begin" : "no result") + "\n";
-  std::string text = report.bag + ": " + verdictText(report, options) + "\n";
+  std::string text = nameOf(report) + ": " + verdictText(report, options) + "\n";
   if (report.partial)
     text += format("  partial: only %.2f of %.2f s were analysed\n", s.seconds(),
                    (report.window.end - report.window.begin).toSec());
@@ -108,17 +112,20 @@ std::string summaryText(const BagReport& report, const Options& options) {
   return text;
 }
 
-std::string planText(const BagReport& report, const Parameters& parameters) {
+std::string planText(const BagReport& report, const Parameters& parameters, const Body& body) {
   if (!report.problem.empty()) return "";
   const auto named = [](const std::string& name, const char* none) {
     return name.empty() ? std::string(none) : name;
   };
-  return report.bag + format(": %.1f s from ", (report.window.end - report.window.begin).toSec()) +
+  const char* without = body.motion == BodyMotion::kTf ? "none: the motion is taken from tf"
+                                                       : "none: the robot stands still";
+  return nameOf(report) +
+         format(": %.1f s from ", (report.window.end - report.window.begin).toSec()) +
          format("%u.%09u", report.window.begin.sec, report.window.begin.nsec) +
          "\n  obstacles: " + report.topics.names.obstacles + " (" + report.topics.obstacles_type +
-         ")\n  odometry:  " + named(report.topics.names.odom, "none: the robot stands still") +
+         ")\n  odometry:  " + named(report.topics.names.odom, without) +
          "\n  footprint: " + named(report.topics.names.footprint, "given as a polygon") +
-         "\n  frames:    " + parameters.base_frame + " on " + parameters.fixed_frame + "\n";
+         "\n  frames:    " + body.frame + " on " + parameters.fixed_frame + "\n";
 }
 
 }  // namespace footprint_collision_predictor::tools

@@ -143,7 +143,7 @@ void addFixedTopics(const std::vector<RecordedTopic>& topics,
 }  // namespace
 
 TopicChoice chooseTopics(const std::string& bag, const std::vector<RecordedTopic>& topics,
-                         const Options& options, const Parameters& parameters) {
+                         const Options& options, const Parameters& parameters, const Body& body) {
   TopicChoice choice;
   addFixedTopics(topics, choice.inputs);
   const auto take = [&](const Role& role, const std::string& name, Input input) {
@@ -154,10 +154,12 @@ TopicChoice chooseTopics(const std::string& bag, const std::vector<RecordedTopic
   const RecordedTopic obstacles = take(obstaclesRole(), options.obstacles, Input::kObstacles);
   choice.names.obstacles = obstacles.name;
   choice.obstacles_type = obstacles.type;
-  if (parameters.ego_motion == EgoMotion::kOdom)
+  if (needsOdometry(parameters, body))
     choice.names.odom = take(odometryRole(), options.odom, Input::kOdometry).name;
-  if (!parameters.footprint)
-    choice.names.footprint = take(footprintRole(), options.footprint, Input::kFootprint).name;
+  if (!body.footprint) {
+    const std::string& name = parameters.footprints.empty() ? options.footprint : body.topic;
+    choice.names.footprint = take(footprintRole(), name, Input::kFootprint).name;
+  }
   return choice;
 }
 

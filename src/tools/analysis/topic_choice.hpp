@@ -18,11 +18,12 @@ struct TopicChoice {
   std::map<std::string, Input> inputs;  ///< everything that is read, /tf, /tf_static and /clock too
 };
 
-/// The topics that the options name, else those whose types fit.
+/// The topics that the body needs: those that the options or ~footprints name, else those whose
+/// types fit.
 /// \param bag its name, for messages
 /// \throws BagProblem when none or several fit, with what there is and the option to use, or when
 ///     one has the right type in a version that is not understood
 TopicChoice chooseTopics(const std::string& bag, const std::vector<RecordedTopic>& topics,
-                         const Options& options, const Parameters& parameters);
+                         const Options& options, const Parameters& parameters, const Body& body);
 
 }  // namespace footprint_collision_predictor::tools

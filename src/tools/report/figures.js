@@ -30,8 +30,8 @@ function limitText({bag, fail_under: limit, max_unknown: most}) {
 
 function fillHeader(report) {
   const {bag} = report;
-  document.title = `${bag.bag} - collision report`;
-  byId('bag').textContent = bag.bag;
+  document.title = `${nameOf(bag)} - collision report`;
+  byId('bag').textContent = nameOf(bag);
   byId('all-bags').hidden = !report.several;
   byId('verdict').replaceChildren(chip(verdictLevel(bag, report.parameters), sentence(report.verdict)));
   showText('partial', bag.partial && (bag.evaluations

@@ -48,3 +48,8 @@ function showText(id, text) {
   byId(id).hidden = !text;
   byId(id).textContent = text || '';
 }
+
+/** What a report is about: a recording, or one footprint in it. */
+function nameOf(bag) {
+  return bag.footprint ? `${bag.bag} [${bag.footprint}]` : bag.bag;
+}

@@ -15,7 +15,7 @@ function compare(a, b) {
 function bagRow(bag) {
   const worst = bag.smallest_time_to_collision;
   const cells = [
-    [element('a', {href: bag.page}, bag.bag), 'words'],
+    [element('a', {href: bag.page}, nameOf(bag)), 'words'],
     [chip(LEVEL_OF_STATE[bag.state], bag.state), ''],
     [worst ? ttcText(worst.time_to_collision) : bag.state === 'unknown' ? 'unknown' : 'none', 'number'],
     [metresText(bag.smallest_clearance ?? NaN), 'number optional'],
@@ -41,7 +41,8 @@ function fillVerdict() {
   const count = (state) => report.bags.filter((bag) => bag.state === state).length;
   const parts = [[count('contact'), 'with contact'], [count('predicted'), 'with a contact predicted'],
                  [count('none'), 'without'], [count('unknown'), 'that cannot be told']];
-  byId('verdict').textContent = `${report.bags.length} recordings: ` +
+  const what = report.bags.some((bag) => bag.footprint) ? 'footprints in recordings' : 'recordings';
+  byId('verdict').textContent = `${report.bags.length} ${what}: ` +
     parts.filter(([number]) => number > 0).map(([number, words]) => `${number} ${words}`).join(', ');
   const partial = report.bags.filter((bag) => bag.partial).length;
   showText('partial', partial > 0 && `Partial: ${partial} of them were not analysed to their end.`);

@@ -67,6 +67,13 @@ TEST(LevelHold, AnInterruptedCountStartsAgain) {
   EXPECT_EQ(shownAfter("CCCWCCWCCC"), "??CWWWWWWC");
 }
 
+TEST(LevelHold, TheNewestMayGetWorseAndIsHeldAsLongAsAnyOther) {
+  LevelHold hold(3);
+  shownAfter(&hold, "CCC");
+  hold.replaceNewest(Level::kCritical);
+  EXPECT_EQ(shownAfter(&hold, "CCC"), "!!C");
+}
+
 TEST(LevelHold, UnknownReplacesAHeldCriticalAtOnce) {
   EXPECT_EQ(shownAfter("!?"), "!?");
   EXPECT_EQ(shownAfter("CCC!C?CCC"), "??C!!???C");

@@ -44,12 +44,12 @@ TEST(Obstacle, KeepsWhatItIsGiven) {
 
 TEST(Obstacle, RefusesWhatIsNotFinite) {
   for (const double bad : {kNan, kInf, -kInf}) {
-    expectRefusal({{bad, 0}, {0, 0}, {0, 0}}, 1, "position");
-    expectRefusal({{0, bad}, {0, 0}, {0, 0}}, 1, "position");
-    expectRefusal({{0, 0}, {bad, 0}, {0, 0}}, 1, "velocity");
-    expectRefusal({{0, 0}, {0, bad}, {0, 0}}, 1, "velocity");
-    expectRefusal({{0, 0}, {0, 0}, {bad, 0}}, 1, "acceleration");
-    expectRefusal({{0, 0}, {0, 0}, {0, bad}}, 1, "acceleration");
+    expectRefusal({{bad, 0}, {0, 0}, {0, 0}}, 1, "position.x is");
+    expectRefusal({{0, bad}, {0, 0}, {0, 0}}, 1, "position.y is");
+    expectRefusal({{0, 0}, {bad, 0}, {0, 0}}, 1, "velocity.x is");
+    expectRefusal({{0, 0}, {0, bad}, {0, 0}}, 1, "velocity.y is");
+    expectRefusal({{0, 0}, {0, 0}, {bad, 0}}, 1, "acceleration.x is");
+    expectRefusal({{0, 0}, {0, 0}, {0, bad}}, 1, "acceleration.y is");
     expectRefusal(kGood, bad, "radius");
     expectRefusal(kGood, 1, "radius_rate", bad);
     expectRefusal(kGood, 1, "outline", 0, {{0, 0}, {bad, 0}});

@@ -23,7 +23,7 @@ class FrameJsonTest : public testing::Test {
   }
 
   Json frame() {
-    Replay replay(parameters, InputNames{"/obstacles", "", ""},
+    Replay replay(parameters, bodiesOf(parameters).front(), InputNames{"/obstacles", "", ""},
                   Window{ros::Time(998), ros::Time(1100)},
                   [this](const Evaluation& e) { json_ = Json::parse(frameJson(e)); });
     replay.take({Input::kObstacles, ros::Time(1000), serialized(message)});

@@ -20,7 +20,8 @@ class ReplayTest : public testing::Test {
 
   Replay& replay() {
     if (!replay_)
-      replay_.emplace(parameters, InputNames{"/obstacles", "/footprint", "/odom"},
+      replay_.emplace(parameters, bodiesOf(parameters).front(),
+                      InputNames{"/obstacles", "/footprint", "/odom"},
                       Window{ros::Time(kBegin), ros::Time(kBegin + 100)},
                       [this](const Evaluation& e) { evaluations.push_back(e); });
     return *replay_;
