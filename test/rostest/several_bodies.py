@@ -6,8 +6,9 @@ from node_testing import BOX, transform
 
 BASE = {'name': 'base', 'frame_id': 'base_link', 'polygon': BOX}
 TRAILER = {'name': 'trailer', 'frame_id': 'trailer', 'polygon': BOX}
+# The longest period, since what takes longer on a busy machine is UNKNOWN.
 PATIENT_ROBOT = {'footprints': [BASE, TRAILER], 'max_data_age': 30.0, 'transform_tolerance': 20.0,
-                 'clear_after': 1}
+                 'clear_after': 1, 'heartbeat_rate': 10.0}
 INTERVAL = rospy.Duration(0.1)  # of the transforms that a motion is taken from
 
 
