@@ -7,8 +7,7 @@ import tempfile
 
 import analysis_bags as bags
 import yaml
-from node_testing import wait_until
-from recorded_data import play, recording
+from recorded_data import play_until, recording
 from ros_test_case import RosTestCase, run
 from scenario_bags import made
 
@@ -39,10 +38,9 @@ class AnalysisAgreement(RosTestCase):
         node = self.rig(None, **parameters)
         renamed = ['%s:=%s' % (name, node.topic(to)) for name, to in topics.items()
                    if not to.startswith('/')]
-        player = play(self, bag, list(topics), *renamed)
-        self.assertEqual(player.wait(300), 0, 'exit status of rosbag play')
         predictions = node.predictions.messages
-        wait_until(lambda: len(predictions) >= len(rows), '%d predictions' % len(rows))
+        play_until(lambda: len(predictions) >= len(rows), '%d predictions' % len(rows), bag,
+                   list(topics), *renamed)
         self.assertEqual(len(predictions), len(rows))
         differences = [self.difference(row, prediction)
                        for row, prediction in zip(rows, predictions)]

@@ -2,9 +2,13 @@
 import os
 import subprocess
 
+from node_testing import wait_until
+
 _HERE = os.path.dirname(os.path.realpath(__file__))
 FOLDER = os.path.realpath(os.environ.get('FCP_RECORDED_DATA') or
                           os.path.join(_HERE, '..', '..', '..', 'shared', 'data'))
+
+PLAYING = 300.0  # [s] and answering all of it, at most
 
 
 def recording(test_case, name):
@@ -15,17 +19,16 @@ def recording(test_case, name):
     return path
 
 
-def play(test_case, path, topics, *options):
-    """Starts the player, which waits for its subscribers; ended with the test."""
+def play_until(done, what, path, topics, *options):
+    """Plays with the clock, when its subscribers are there, until done(). Not until the player ends:
+    that takes with it what it has not sent yet, and the clock stops short of the last message."""
     command = ['rosbag', 'play', '--quiet', '--clock', '--hz', '1000', '--wait-for-subscribers',
-               '--queue', '10000',  # a machine that is busy for a moment loses nothing
-               *options, path, '--topics', *topics]
+               '--keep-alive', '--queue', '10000', *options, path, '--topics', *topics]
     player = subprocess.Popen(command, stdin=subprocess.DEVNULL)
-
-    def end():
-        if player.poll() is None:
-            player.terminate()
+    try:
+        wait_until(lambda: done() or player.poll() is not None, what, PLAYING)
+        if player.poll() is not None:
+            raise AssertionError('rosbag play ended with exit status %d' % player.poll())
+    finally:
+        player.terminate()
         player.wait()
-
-    test_case.addCleanup(end)
-    return player

@@ -7,9 +7,8 @@ import rosbag
 import rospy
 from approach import Body, Obstacle
 from foreign_messages import ObstacleDetectorObstacles
-from node_testing import wait_until
 from recomputation import Moment, compare
-from recorded_data import play, recording
+from recorded_data import play_until, recording
 from ros_test_case import RosTestCase, run
 
 HORIZON = 5.0
@@ -56,12 +55,9 @@ class RecordedLidar(RosTestCase):
                         base_frame='robot', fixed_frame='map', ego_motion=ego_motion,
                         clear_after=1, max_data_age=60.0, transform_tolerance=60.0)
         topic = self.drive(node) if ego_motion == 'odom' else node.topic('obstacles')
-        player = play(self, bag, ('/obstacles', '/tf_static'), '--rate', '3',
-                      '/obstacles:=' + topic)
-        self.assertEqual(player.wait(300), 0, 'exit status of rosbag play')
         predictions = node.predictions.messages
-        wait_until(lambda: len(predictions) >= len(messages),
-                   '%d predictions; %d came' % (len(messages), len(predictions)))
+        play_until(lambda: len(predictions) >= len(messages), '%d predictions' % len(messages), bag,
+                   ('/obstacles', '/tf_static'), '--rate', '3', '/obstacles:=' + topic)
         self.assertEqual(len(predictions), len(messages))
         node.warning_at(messages[-1].header.stamp)
         moments = [Moment(message.header.stamp, Body(FOOTPRINT, *twist_at(message.header.stamp)),

@@ -7,9 +7,9 @@ import nav_msgs.msg
 import rospy
 from approach import Body, Obstacle
 from geometry_msgs.msg import Point
-from node_testing import circle, transform, wait_until
+from node_testing import circle, transform
 from recomputation import Moment, compare
-from recorded_data import play, recording
+from recorded_data import play_until, recording
 from ros_test_case import RosTestCase, run
 
 HORIZON = 5.0
@@ -76,11 +76,9 @@ class RecordedTurtlebot(RosTestCase):
         topic = node.topic('recorded')
         subscriber = rospy.Subscriber(topic, nav_msgs.msg.Odometry, send_surroundings)
         self.addCleanup(subscriber.unregister)
-        player = play(self, bag, ['/odom'], '--rate', '4', '/odom:=' + topic)
-        self.assertEqual(player.wait(300), 0, 'exit status of rosbag play')
         predictions = node.predictions.messages
-        wait_until(lambda: len(predictions) >= MESSAGES,
-                   '%d predictions; %d came' % (MESSAGES, len(predictions)))
+        play_until(lambda: len(predictions) >= MESSAGES, '%d predictions' % MESSAGES, bag,
+                   ['/odom'], '--rate', '4', '/odom:=' + topic)
         node.warning_at(sent[-1].header.stamp)
         self.assertEqual(len(sent), MESSAGES)
         moments = [self.moment(odometry) for odometry in sent]

@@ -6,7 +6,7 @@ import tempfile
 
 import rospy
 from node_testing import wait_until
-from recorded_data import play
+from recorded_data import play_until
 from ros_test_case import RosTestCase, run
 from scenario_bags import made
 
@@ -69,9 +69,11 @@ class Scenarios(RosTestCase):
         with tempfile.TemporaryDirectory() as folder:
             bag, answers = made(scenario, folder, *options)
             node = self.patient_rig(answers)
-            player = play(self, bag, ('obstacles', 'odom', '/tf'), '--rate', '4',
-                          'obstacles:=' + node.topic('obstacles'), 'odom:=' + node.topic('odom'))
-            self.assertEqual(player.wait(120), 0, 'exit status of rosbag play')
+            bodies = len(answers['messages'][0].get('footprints', ['footprint']))
+            count = bodies * len(answers['messages'])
+            play_until(lambda: len(node.predictions.messages) >= count, '%d predictions' % count,
+                       bag, ('obstacles', 'odom', '/tf'), '--rate', '4',
+                       'obstacles:=' + node.topic('obstacles'), 'odom:=' + node.topic('odom'))
         self.check_predictions(node, answers, answers['messages'])
 
     def patient_rig(self, answers):
