@@ -39,6 +39,12 @@ class Scenarios(RosTestCase):
     def test_brake(self):
         self.check('brake')
 
+    def test_turn_in_place(self):
+        self.check('turn_in_place')
+
+    def test_arc_past_pillar(self):
+        self.check('arc_past_pillar')
+
     def test_crowd_with_noise(self):
         self.check('crowd', '--count', '30', '--seed', '5', '--noise', '0.05')
 
