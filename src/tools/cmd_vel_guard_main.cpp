@@ -24,11 +24,12 @@ constexpr std::uint32_t kMostFootprints = 20;
 class CmdVelGuard {
  public:
   CmdVelGuard() {
-    // What matters is the newest; of warnings, that of each footprint. The steady timer goes on when
-    // simulated time stops.
+    // What matters is the newest; of warnings, that of each footprint. The steady timer goes on
+    // when simulated time stops.
     const auto fast = ros::TransportHints().tcpNoDelay();
     command_ = node_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
-    warnings_ = node_.subscribe("collision_warning", kMostFootprints, &CmdVelGuard::takeWarning, this, fast);
+    warnings_ = node_.subscribe("collision_warning", kMostFootprints, &CmdVelGuard::takeWarning,
+                                this, fast);
     commands_ = node_.subscribe("cmd_vel_in", 1, &CmdVelGuard::handOn, this, fast);
     timer_ = node_.createSteadyTimer(ros::WallDuration(kPeriod), &CmdVelGuard::watch, this);
   }
