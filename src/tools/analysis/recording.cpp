@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <future>
 #include <mutex>
 #include <set>
 #include <tuple>
@@ -17,6 +18,9 @@ namespace {
 
 // [s] As long as tf2 keeps transforms.
 constexpr double kLeadIn = 10;
+
+// [bytes] Read by a thread of its own while the batch before is looked at.
+constexpr std::size_t kBatch = 1 << 18;
 
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -102,6 +106,28 @@ void readInto(const rosbag::MessageInstance& message, RawMessage* raw) {
   message.write(stream);
 }
 
+/// Messages that were read together, in the memory of those before them.
+struct Batch {
+  std::vector<RecordedMessage> messages;
+  std::size_t count = 0;       // the messages beyond are of earlier batches
+  std::size_t bytes = 0;       // of the messages
+  std::exception_ptr problem;  // why there is none after them
+
+  bool isEmpty() const { return count == 0 && !problem; }
+
+  void clear() {
+    count = bytes = 0;
+    problem = nullptr;
+  }
+
+  template <typename Read>
+  void add(const Read& read) {
+    if (count == messages.size()) messages.emplace_back();
+    read(messages[count]);
+    bytes += messages[count++].raw.bytes.size();
+  }
+};
+
 ros::Time earlier(const ros::Time& time, double seconds) {
   return time.toSec() > seconds ? time - ros::Duration(seconds) : ros::TIME_MIN;
 }
@@ -146,15 +172,34 @@ void Recording::read(const Window& window, const std::map<std::string, Input>& i
   });
   rosbag::View::iterator message;
   reading(path_, [&] { message = view.begin(); });
-  RecordedMessage read;
-  while (message != view.end() && go_on()) {
-    reading(path_, [&] {
-      read.input = inputs.at(message->getTopic());
-      read.recorded = message->getTime();
-      readInto(*message, &read.raw);
-      ++message;
-    });
-    take(read);
+  const auto readNext = [&](RecordedMessage& next) {
+    next.input = inputs.at(message->getTopic());
+    next.recorded = message->getTime();
+    readInto(*message, &next.raw);
+    ++message;
+  };
+  const auto readBatch = [&](Batch& batch) {
+    batch.clear();
+    try {
+      reading(path_, [&] {
+        while (message != view.end() && batch.bytes < kBatch) batch.add(readNext);
+      });
+    } catch (...) {
+      batch.problem = std::current_exception();
+    }
+  };
+  Batch batch, next;
+  readBatch(next);
+  while (!next.isEmpty()) {
+    std::swap(batch, next);
+    std::future<void> reader;
+    if (!batch.problem) reader = std::async(std::launch::async, [&] { readBatch(next); });
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      if (!go_on()) return;
+      take(batch.messages[i]);
+    }
+    if (batch.problem) std::rethrow_exception(batch.problem);
+    reader.wait();
   }
 }
 

@@ -49,7 +49,8 @@ class Recording {
   const Window& span() const { return span_; }
 
   /// Hands over the messages of the window in the order of their recording; before them what a
-  /// subscriber who comes at its begin would know: latched messages, and the recent others.
+  /// subscriber who comes at its begin would know: latched messages, and the recent others. Reads
+  /// ahead in a thread of its own, and hands over in the caller's.
   /// \param go_on is asked before each message
   /// \throws BagProblem when the bag turns out to be damaged; what came before has been handed over
   void read(const Window& window, const std::map<std::string, Input>& inputs,
