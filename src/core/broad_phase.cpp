@@ -261,6 +261,16 @@ bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc
   return std::any_of(footprint.begin(), footprint.end(), may_touch);
 }
 
+namespace {
+
+[[gnu::noinline]] bool mayTouchInWindows(const Polygon& footprint, const Twist& twist,
+                                         const Disc& disc, double bounding_radius, double horizon) {
+  const SweptFootprint swept(footprint, twist, horizon, disc.motion.acceleration.norm());
+  return mayComeWithin(0, swept, disc, bounding_radius);
+}
+
+}  // namespace
+
 bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
               double bounding_radius, double horizon) {
   const Motion& m = disc.motion;
@@ -273,8 +283,7 @@ bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
     if (!mayTouchBySign(chord, disc.radius_rate, horizon)) return false;
     if (bulge == 0) return true;
   }
-  const SweptFootprint swept(footprint, twist, horizon, m.acceleration.norm());
-  return mayComeWithin(0, swept, disc, bounding_radius);
+  return mayTouchInWindows(footprint, twist, disc, bounding_radius, horizon);
 }
 
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {

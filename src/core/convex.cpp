@@ -73,11 +73,14 @@ Passage passageOf(const StraightDisc& disc, const Sides& sides, double horizon) 
       enter[i] = gap > 0 ? reached : -1;
       leave[i] = gap > 0 ? HUGE_VAL : left;
     }
+    const double entered = passage.enter;
     for (std::size_t i = 0; i < count; ++i) {
-      passage.side = enter[i] > passage.enter ? begin + i : passage.side;
-      passage.enter = enter[i] > passage.enter ? enter[i] : passage.enter;
-      passage.leave = leave[i] < passage.leave ? leave[i] : passage.leave;
+      passage.enter = std::max(passage.enter, enter[i]);
+      passage.leave = std::min(passage.leave, leave[i]);
     }
+    if (passage.enter > entered)
+      passage.side =
+          begin + static_cast<std::size_t>(std::find(enter, enter + count, passage.enter) - enter);
   }
   return passage;
 }

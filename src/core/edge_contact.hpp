@@ -8,6 +8,13 @@
 
 namespace footprint_collision_predictor::core {
 
+/// The same disc with its position told from a point.
+inline Disc relativeTo(const Vec2& point, const Disc& disc) {
+  return {{disc.motion.position - point, disc.motion.velocity, disc.motion.acceleration},
+          disc.radius,
+          disc.radius_rate};
+}
+
 /// timeToCollision() of time_to_collision.hpp, for an edge that stands still.
 std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, double horizon);
 /// The same for an edge of a body that moves.

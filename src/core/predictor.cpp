@@ -26,10 +26,15 @@ std::optional<FootprintContact> firstOf(
   return contact;
 }
 
-/// With an obstacle that may touch.
-std::optional<FootprintContact> firstContactOf(const Polygon& footprint, const Twist& twist,
-                                               const Shape& shape, double bounding_radius,
-                                               double horizon) {
+/// With an obstacle that may touch. Apart, so that those that cannot are soon done with.
+[[gnu::noinline]] std::optional<FootprintContact> firstContactOf(const Polygon& footprint,
+                                                                 const Twist& twist,
+                                                                 const Obstacle& obstacle,
+                                                                 double bounding_radius,
+                                                                 double horizon) {
+  std::vector<Edge> edges;
+  appendOutline(obstacle, &edges);
+  const Shape shape{obstacle.disc(), {edges.data(), edges.size()}};
   if (mayComeWithin(0, footprint, shape.disc, bounding_radius)) {
     const Nearest nearest = nearestNow(footprint, shape);
     if (nearest.gap <= 0) return contactNow(footprint, twist, shape, nearest);
@@ -43,17 +48,9 @@ std::optional<FootprintContact> firstContactOf(const Polygon& footprint, const T
 
 std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
                                              const Obstacle& obstacle, double horizon) {
-  const Disc& disc = obstacle.disc();
-  if (obstacle.outline().empty()) {
-    if (!mayTouch(footprint, twist, disc, disc.radius, horizon)) return std::nullopt;
-    return firstContactOf(footprint, twist, {disc, {}}, disc.radius, horizon);
-  }
   const double bounding_radius = boundingRadius(obstacle);
-  if (!mayTouch(footprint, twist, disc, bounding_radius, horizon)) return std::nullopt;
-  std::vector<Edge> edges;
-  appendOutline(obstacle, &edges);
-  return firstContactOf(footprint, twist, {disc, {edges.data(), edges.size()}}, bounding_radius,
-                        horizon);
+  if (!mayTouch(footprint, twist, obstacle.disc(), bounding_radius, horizon)) return std::nullopt;
+  return firstContactOf(footprint, twist, obstacle, bounding_radius, horizon);
 }
 
 std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
