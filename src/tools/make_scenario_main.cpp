@@ -40,7 +40,7 @@ int unknownScenario(const std::string& name) {
 }
 
 int usageError(const std::string& text) {
-  std::fprintf(stderr, "make_scenario: %s. See make_scenario --help\n", text.c_str());
+  std::fprintf(stderr, "make_scenario: %s (see make_scenario --help)\n", text.c_str());
   return kUsage;
 }
 

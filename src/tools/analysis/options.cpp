@@ -83,7 +83,8 @@ void addOutputs(CLI::App& app, Options& options) {
                  "exit status 1 when a time to collision is under this [s]")
       ->check(CLI::Range(0.0, kLongest));
   app.add_option("--max-unknown", options.max_unknown,
-                 "with --fail-under: how much of the time may be UNKNOWN [%] (default: 5)")
+                 "how much of the time [%] may be UNKNOWN for \"no contact\" to be said, and for\n"
+                 "status 0 with --fail-under (default: 5)")
       ->check(CLI::Range(0.0, 100.0));
   app.add_option("--jobs", options.jobs, "bags to analyse side by side (default: 1)")
       ->check(CLI::Range(1u, 256u));
@@ -92,7 +93,7 @@ void addOutputs(CLI::App& app, Options& options) {
 }
 
 int mistake(const std::string& text) {
-  std::fprintf(stderr, "analyze_bag: %s. See analyze_bag --help\n", text.c_str());
+  std::fprintf(stderr, "analyze_bag: %s (see analyze_bag --help)\n", text.c_str());
   return kUsage;
 }
 

@@ -118,7 +118,7 @@ RecordedTopic byName(const std::string& bag, const Role& role, const std::string
   }
   const std::string meant = nearestName(name, names);
   throw BagProblem(kUsage, bag + ": it has no topic " + name +
-                               (meant.empty() ? "" : "; did you mean " + meant + "?") +
+                               (meant.empty() ? "." : "; did you mean " + meant + "?") +
                                " The topics of it:" + listed(topics));
 }
 
