@@ -111,7 +111,7 @@ SceneObstacles toCore(const ObstacleArray& message, const PlanarPose& body,
   }
   invalid.report(CollisionWarning::REASON_OBSTACLES_INVALID, "; mend the source", usable.findings);
   duplicate.report(CollisionWarning::REASON_DUPLICATE_ID,
-                   " shares its id with another; both are predicted", usable.findings);
+                   ": another obstacle has the same id; all are predicted", usable.findings);
   return usable;
 }
 
