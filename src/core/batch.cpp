@@ -84,7 +84,7 @@ std::optional<NearestObstacle> nearestObstacle(const BatchQuery& q, double below
   const auto gap = [&] { return smallest ? smallest->nearest.gap : below; };
   const auto now = [] { return 0.0; };
   forEachNear({q.footprint, {}, obstacles, 0, q.set}, now, gap, [&](std::size_t j) {
-    if (!mayComeWithin(gap(), q.footprint, obstacles.disc(j), obstacles.bounding_radius[j])) return;
+    if (!mayComeWithin(gap(), q.footprint, obstacles.disc(j), obstacles.boundingRadius(j))) return;
     const Nearest nearest = nearestNow(q.footprint, shapeOf(obstacles, j));
     if (nearest.gap < gap()) smallest = NearestObstacle{j, nearest};
   });
@@ -101,7 +101,7 @@ ClosestApproach closestApproach(const BatchQuery& q, double clearance) {
   const auto gap = [&] { return closest.distance; };
   const SweptFootprint swept(footprint, twist, horizon, obstacles.largestAcceleration());
   forEachNear(q, ahead, gap, [&](std::size_t j) {
-    if (mayComeWithin(gap(), swept, obstacles.disc(j), obstacles.bounding_radius[j]))
+    if (mayComeWithin(gap(), swept, obstacles.disc(j), obstacles.boundingRadius(j)))
       lower(footprint, twist, shapeOf(obstacles, j), horizon, &closest);
   });
   return closest;
@@ -119,7 +119,7 @@ std::optional<FootprintContact> firstContact(const BatchQuery& q) {
   const auto gap = [&] { return now ? now->nearest.gap : 0; };
   forEachNear(q, until, gap, [&](std::size_t j) {
     const Shape shape = shapeOf(obstacles, j);
-    if (mayComeWithin(0, footprint, shape.disc, obstacles.bounding_radius[j])) {
+    if (mayComeWithin(0, footprint, shape.disc, obstacles.boundingRadius(j))) {
       const Nearest nearest = nearestNow(footprint, shape);
       if (nearest.gap <= 0 && (!now || nearest.gap < gap())) now = NearestObstacle{j, nearest};
     }

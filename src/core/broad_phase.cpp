@@ -230,14 +230,15 @@ std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, st
   std::array<std::int64_t, kBlock> marks;
   const std::size_t count = end - begin;
   marks.fill(0);
-  const Arrays arrays{&obstacles.x[begin],
-                      &obstacles.y[begin],
-                      &obstacles.vx[begin],
-                      &obstacles.vy[begin],
-                      &obstacles.ax[begin],
-                      &obstacles.ay[begin],
-                      &obstacles.bounding_radius[begin],
-                      &obstacles.radius_rate[begin]};
+  const ObstacleColumns& all = obstacles.columns();
+  const Arrays arrays{&all.x[begin],
+                      &all.y[begin],
+                      &all.vx[begin],
+                      &all.vy[begin],
+                      &all.ax[begin],
+                      &all.ay[begin],
+                      &all.bounding_radius[begin],
+                      &all.radius_rate[begin]};
   const Mark mark_window = markWith(set, obstacles, footprint);
   const double farthest = obstacles.farthest(footprint.horizon());
   for (const auto& window : footprint)

@@ -11,9 +11,16 @@ ObstacleBatch::ObstacleBatch(const std::vector<Obstacle>& obstacles) {
   for (std::size_t i = 0; i < obstacles.size(); ++i) put(obstacles[i], i);
 }
 
+template <typename Change>
+void ObstacleBatch::changeColumns(const Change& change) {
+  ObstacleColumns& c = columns_;
+  for (auto* column :
+       {&c.x, &c.y, &c.vx, &c.vy, &c.ax, &c.ay, &c.radius, &c.radius_rate, &c.bounding_radius})
+    change(*column);
+}
+
 void ObstacleBatch::clear() {
-  for (auto* values : {&x, &y, &vx, &vy, &ax, &ay, &radius, &radius_rate, &bounding_radius})
-    values->clear();
+  changeColumns([](auto& column) { column.clear(); });
   outline_end_.clear();
   outline_edges_.clear();
   largest_coordinates_ = largest_speed_ = largest_acceleration_ = 0;
@@ -21,8 +28,7 @@ void ObstacleBatch::clear() {
 }
 
 void ObstacleBatch::reserve(std::size_t obstacles) {
-  for (auto* values : {&x, &y, &vx, &vy, &ax, &ay, &radius, &radius_rate, &bounding_radius})
-    values->reserve(obstacles);
+  changeColumns([&](auto& column) { column.reserve(obstacles); });
   outline_end_.reserve(obstacles);
 }
 
@@ -32,32 +38,34 @@ void ObstacleBatch::add(const Obstacle& obstacle) {
 }
 
 void ObstacleBatch::resize(std::size_t obstacles) {
-  for (auto* values : {&x, &y, &vx, &vy, &ax, &ay, &radius, &radius_rate, &bounding_radius})
-    values->resize(obstacles);
+  changeColumns([&](auto& column) { column.resize(obstacles); });
   outline_end_.resize(obstacles);
 }
 
 void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
   const Motion& m = obstacle.motion();
-  x[i] = m.position.x();
-  y[i] = m.position.y();
-  vx[i] = m.velocity.x();
-  vy[i] = m.velocity.y();
-  ax[i] = m.acceleration.x();
-  ay[i] = m.acceleration.y();
-  radius[i] = obstacle.radius();
-  radius_rate[i] = obstacle.disc().radius_rate;
-  bounding_radius[i] = boundingRadius(obstacle);
+  ObstacleColumns& c = columns_;
+  c.x[i] = m.position.x();
+  c.y[i] = m.position.y();
+  c.vx[i] = m.velocity.x();
+  c.vy[i] = m.velocity.y();
+  c.ax[i] = m.acceleration.x();
+  c.ay[i] = m.acceleration.y();
+  c.radius[i] = obstacle.radius();
+  c.radius_rate[i] = obstacle.disc().radius_rate;
+  c.bounding_radius[i] = boundingRadius(obstacle);
   appendOutline(obstacle, &outline_edges_);
   outline_end_[i] = static_cast<std::uint32_t>(outline_edges_.size());
   largest_coordinates_ = std::max(largest_coordinates_, m.position.lpNorm<1>());
   largest_speed_ = std::max(largest_speed_, m.velocity.lpNorm<1>());
   largest_acceleration_ = std::max(largest_acceleration_, m.acceleration.lpNorm<1>());
-  grows_ = grows_ || radius_rate[i] > 0;
+  grows_ = grows_ || c.radius_rate[i] > 0;
 }
 
 Disc ObstacleBatch::disc(std::size_t i) const {
-  return {{{x[i], y[i]}, {vx[i], vy[i]}, {ax[i], ay[i]}}, radius[i], radius_rate[i]};
+  const ObstacleColumns& c = columns_;
+  return {
+      {{c.x[i], c.y[i]}, {c.vx[i], c.vy[i]}, {c.ax[i], c.ay[i]}}, c.radius[i], c.radius_rate[i]};
 }
 
 Outline ObstacleBatch::outline(std::size_t i) const {
