@@ -7,7 +7,7 @@ import nav_msgs.msg
 import rospy
 from approach import Body, Obstacle
 from geometry_msgs.msg import Point
-from node_testing import circle, transform
+from node_testing import circle, transform, wait_until
 from recomputation import Moment, compare
 from recorded_data import play_until, recording
 from ros_test_case import RosTestCase, run
@@ -18,6 +18,7 @@ TURNING = 0.01  # [rad/s] or more moves the footprint by centimetres within the 
 GRAZE = 2e-9  # [m]; the node itself allows 1e-9 to a robot that turns
 MESSAGES = 2741  # of the recording
 EVERY = 10  # of how many messages the closest approach of one is recomputed
+UNANSWERED = 50  # messages, at most: of more, a busy node drops the oldest
 
 # What stood there, and the robot drove round: the nearest came within a quarter of a metre.
 PILLARS = [Obstacle(complex(x, y), radius=0.15) for x in (-1.1, 0, 1.1) for y in (-1.1, 0, 1.1)]
@@ -58,7 +59,7 @@ class RecordedTurtlebot(RosTestCase):
         node = self.rig(footprint=[[vertex.real, vertex.imag] for vertex in FOOTPRINT],
                         base_frame='base_footprint', clear_after=1, max_data_age=60.0,
                         transform_tolerance=60.0)
-        sent = []
+        sent, predictions = [], node.predictions.messages
 
         def send_surroundings(odometry):
             robot.publish(odometry)  # first: it numbers the message anew
@@ -67,6 +68,7 @@ class RecordedTurtlebot(RosTestCase):
             half = cmath.sqrt(direction)
             node.send_transforms(transform('odom', 'base_footprint', position.real, position.imag,
                                            half.imag, half.real, stamp))
+            wait_until(lambda: len(sent) - len(predictions) < UNANSWERED, 'the predictions')
             node.send(map(message_of, range(20), obstacles_around(odometry)), 'odom', stamp)
             sent.append(odometry)
 
@@ -76,7 +78,6 @@ class RecordedTurtlebot(RosTestCase):
         topic = node.topic('recorded')
         subscriber = rospy.Subscriber(topic, nav_msgs.msg.Odometry, send_surroundings)
         self.addCleanup(subscriber.unregister)
-        predictions = node.predictions.messages
         play_until(lambda: len(predictions) >= MESSAGES, '%d predictions' % MESSAGES, bag,
                    ['/odom'], '--rate', '4', '/odom:=' + topic)
         node.warning_at(sent[-1].header.stamp)
