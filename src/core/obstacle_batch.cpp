@@ -53,7 +53,7 @@ void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
   c.ay[i] = m.acceleration.y();
   c.radius[i] = obstacle.radius();
   c.radius_rate[i] = obstacle.disc().radius_rate;
-  c.bounding_radius[i] = boundingRadius(obstacle);
+  c.bounding_radius[i] = core::boundingRadius(obstacle);
   appendOutline(obstacle, &outline_edges_);
   outline_end_[i] = static_cast<std::uint32_t>(outline_edges_.size());
   largest_coordinates_ = std::max(largest_coordinates_, m.position.lpNorm<1>());
