@@ -274,17 +274,24 @@ namespace {
 
 bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
               double bounding_radius, double horizon) {
+  // Most are settled by a single window.
   const Motion& m = disc.motion;
-  if (twist.angular == 0) {  // most are settled by a single window
-    const Vec2 p = m.position - footprint.centroid();
-    const Vec2 v = m.velocity - twist.linear + 0.5 * horizon * m.acceleration;
-    const double bulge = 0.125 * horizon * horizon * m.acceleration.lpNorm<1>();
-    const double reach = bounding_radius + footprint.boundingRadius() * (1 + kGenerous) + bulge;
-    const Chord chord{p.x(), p.y(), v.x(), v.y(), reach};
-    if (!mayTouchBySign(chord, disc.radius_rate, horizon)) return false;
-    if (bulge == 0) return true;
+  const Vec2 p = m.position - footprint.centroid();
+  Vec2 own = twist.linear;
+  double acceleration = m.acceleration.lpNorm<1>();
+  double rounding = kGenerous * footprint.boundingRadius();
+  if (twist.angular != 0) {
+    own = atPoint(footprint.centroid(), twist).linear;
+    acceleration += std::abs(twist.angular) * own.norm();
+    own = Turn(twist.angular * horizon).displacement(own);
+    rounding += kGenerous * std::abs(twist.angular) * horizon * footprint.centroid().lpNorm<1>();
   }
-  return mayTouchInWindows(footprint, twist, disc, bounding_radius, horizon);
+  const Vec2 v = m.velocity - own + 0.5 * horizon * m.acceleration;
+  const double bulge = 0.125 * horizon * horizon * acceleration;
+  const double reach = bounding_radius + footprint.boundingRadius() + bulge + rounding;
+  const Chord chord{p.x(), p.y(), v.x(), v.y(), reach};
+  if (!mayTouchBySign(chord, disc.radius_rate, horizon)) return false;
+  return bulge == 0 || mayTouchInWindows(footprint, twist, disc, bounding_radius, horizon);
 }
 
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {
