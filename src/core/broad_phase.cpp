@@ -105,33 +105,33 @@ template <Simple kSimple>
   return mayTouchBySign<true>(c, a.radius_rate[i], duration);
 }
 
+/// The marks are numbers like all others, so that a register holds as many of them.
 template <Simple kSimple>
 [[gnu::always_inline]] inline void mark(const Arrays& a, std::size_t count, const Question& q,
-                                        std::int64_t* marks) {
-  for (std::size_t i = 0; i < count; ++i) marks[i] |= mayTouch<kSimple>(a, i, q) ? 1 : 0;
+                                        double* marks) {
+  for (std::size_t i = 0; i < count; ++i) marks[i] += mayTouch<kSimple>(a, i, q) ? 1.0 : 0.0;
 }
 
 template <Simple kSimple>
-void markBaseline(const Arrays& a, std::size_t count, const Question& q, std::int64_t* marks) {
+void markBaseline(const Arrays& a, std::size_t count, const Question& q, double* marks) {
   mark<kSimple>(a, count, q, marks);
 }
 
 #ifdef __x86_64__
 template <Simple kSimple>
 [[gnu::target("avx2")]] void markAvx2(const Arrays& a, std::size_t count, const Question& q,
-                                      std::int64_t* marks) {
+                                      double* marks) {
   mark<kSimple>(a, count, q, marks);
 }
 
 template <Simple kSimple>
 [[gnu::target("avx512f,avx512vl,avx512dq")]] void markAvx512(const Arrays& a, std::size_t count,
-                                                             const Question& q,
-                                                             std::int64_t* marks) {
+                                                             const Question& q, double* marks) {
   mark<kSimple>(a, count, q, marks);
 }
 #endif
 
-using Mark = void (*)(const Arrays&, std::size_t, const Question&, std::int64_t*);
+using Mark = void (*)(const Arrays&, std::size_t, const Question&, double*);
 
 template <Simple kSimple>
 Mark markWith(InstructionSet set) {
@@ -206,17 +206,17 @@ SweptFootprint::SweptFootprint(const Polygon& footprint, const Twist& twist, dou
 namespace {
 
 /// The indices of those that are marked. Most are not, so whole groups are passed over.
-std::size_t collect(const std::array<std::int64_t, kBlock>& marks, std::size_t begin,
-                    std::size_t count, std::array<std::size_t, kBlock>* candidates) {
+std::size_t collect(const std::array<double, kBlock>& marks, std::size_t begin, std::size_t count,
+                    std::array<std::size_t, kBlock>* candidates) {
   constexpr std::size_t kGroup = 8;
   std::size_t found = 0;
   for (std::size_t group = 0; group < count; group += kGroup) {
-    std::int64_t any = 0;
-    for (std::size_t i = group; i < group + kGroup; ++i) any |= marks[i];
+    double any = 0;
+    for (std::size_t i = group; i < group + kGroup; ++i) any += marks[i];
     if (any == 0) continue;
     for (std::size_t i = group; i < group + kGroup; ++i) {
       (*candidates)[found] = begin + i;
-      found += static_cast<std::size_t>(marks[i]);
+      found += marks[i] > 0 ? 1 : 0;
     }
   }
   return found;
@@ -227,7 +227,7 @@ std::size_t collect(const std::array<std::int64_t, kBlock>& marks, std::size_t b
 std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, std::size_t end,
                            const SweptFootprint& footprint, double gap, InstructionSet set,
                            std::array<std::size_t, kBlock>* candidates) {
-  std::array<std::int64_t, kBlock> marks;
+  std::array<double, kBlock> marks;
   const std::size_t count = end - begin;
   marks.fill(0);
   const ObstacleColumns& all = obstacles.columns();

@@ -11,6 +11,7 @@ from ros_test_case import RosTestCase, run
 from several_bodies import PATIENT_ROBOT, straight
 
 CLOCK = CollisionWarning.REASON_CLOCK
+DEADLINE = CollisionWarning.REASON_DEADLINE
 LAG = 0.25  # [s] by which messages are stamped behind the clock, since /clock may come after them
 PARAMETERS = dict(PATIENT, max_data_age=2.0)
 
@@ -73,14 +74,17 @@ class SimulatedClock(RosTestCase):
         raise AssertionError('in vain for ' + what + '\n%s' % self.node.warnings.messages[-1])
 
     def check_beating(self, reason):
-        """Two seconds' worth of heartbeats come, all of them UNKNOWN for that reason."""
+        """Two seconds' worth of heartbeats come, all of them UNKNOWN for that reason, or because the
+        machine was busy with other things."""
         mark = self.node.warnings.mark()
         begin = time.monotonic()
         first = self.node.next_warning()
         self.node.warnings.wait_for(lambda w: w.sequence == first.sequence + 40, since=mark)
         self.assertLess(time.monotonic() - begin, 2.25, '20 heartbeats a second')
-        for warning in self.node.warnings.messages[mark:]:
-            self.assertUnknown(warning, reason)
+        warnings = self.node.warnings.messages[mark:]
+        self.assertTrue(any(warning.reason & reason for warning in warnings))
+        for warning in warnings:
+            self.assertUnknown(warning, reason if warning.reason != DEADLINE else DEADLINE)
 
     def test_Fault21_never_starts(self):
         self.check_beating(CLOCK)
