@@ -192,12 +192,16 @@ Report Node::report(const Moment& now) const {
   return report;
 }
 
+/// Looks several times in a period, so that little is added to the silence that is allowed.
 void Node::beat() {
+  constexpr double kLooks = 4;
   auto parameters = parameters_.get();
   const auto stopped = [this] { return !running_; };
   std::unique_lock<std::mutex> lock(stop_mutex_);
-  while (!stop_.wait_for(lock, std::chrono::duration<double>(1 / parameters->heartbeat_rate),
-                         stopped)) {
+  const auto pause = [&] {
+    return std::chrono::duration<double>(1 / (kLooks * parameters->heartbeat_rate));
+  };
+  while (!stop_.wait_for(lock, pause(), stopped)) {
     parameters = parameters_.get();
     for (Predictor& predictor : predictors_)
       beat(*parameters, predictor.warnings, predictor.pipeline.body());
