@@ -97,7 +97,7 @@ Node::Predictor::Predictor(Node& node, const Body& body)
                 node.node_.resolveName("odom")},
                node.tf_, ros::Time::isSimTime(),
                [this, &node](const Answer& answer) { node.publish(answer, warnings); }),
-      warnings(node.node_, node.session_) {}
+      warnings(node.node_, node.session_, pipeline.repeat(now())) {}
 
 std::list<Node::Predictor> Node::makePredictors() {
   std::list<Predictor> predictors;

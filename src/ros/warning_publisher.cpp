@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <utility>
+
 #include "moment.hpp"
 
 namespace footprint_collision_predictor {
@@ -20,8 +22,10 @@ void log(const LogLine& line) {
 
 }  // namespace
 
-WarningPublisher::WarningPublisher(ros::NodeHandle& node, std::uint32_t session)
+WarningPublisher::WarningPublisher(ros::NodeHandle& node, std::uint32_t session,
+                                   CollisionWarning first)
     : publisher_(node.advertise<CollisionWarning>("collision_warning", kQueueSize)),
+      last_(std::move(first)),
       last_time_(ros::SteadyTime::now()) {
   last_.session = session;
 }

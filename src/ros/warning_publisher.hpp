@@ -17,7 +17,8 @@ namespace footprint_collision_predictor {
 /// logs changes of level and of reasons.
 class WarningPublisher {
  public:
-  WarningPublisher(ros::NodeHandle& node, std::uint32_t session);
+  /// \param first counts as the last one until there is another
+  WarningPublisher(ros::NodeHandle& node, std::uint32_t session, CollisionWarning first);
 
   void publish(const CollisionWarning& warning);
 

@@ -2,6 +2,7 @@
 
 rostest's own runner writes a skipped test into the JUnit file as a passed one; this one says so.
 """
+import math
 import sys
 import time
 import traceback
@@ -21,8 +22,17 @@ class RosTestCase(unittest.TestCase):
     def rig(self, *arguments, **parameters):
         """A node of this test's own, ended with the test."""
         rig = Rig(*arguments, **parameters)
+        self.addCleanup(self.check_words, rig)
         self.addCleanup(rig.close)
         return rig
+
+    def check_words(self, rig):
+        """From the first heartbeat on UNKNOWN always says why, and a time always says with what."""
+        for warning in rig.warnings.messages:
+            if warning.level == warning.UNKNOWN:
+                self.assertUnknown(warning, 0)
+            if math.isfinite(warning.time_to_collision):
+                self.assertGreaterEqual(warning.segment, 0, warning)
 
     def feed(self, send):
         """Fresh messages until it is stopped, at the latest with the test."""
