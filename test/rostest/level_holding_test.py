@@ -58,7 +58,8 @@ class LevelHolding(RosTestCase):
         self.assertAlmostEqual(at_stamp.time_to_collision, contact, delta=1e-9)
         mark = self.node.warnings.mark()
         self.node.warnings.wait_for(lambda w: w.time_to_collision < contact - 0.5, since=mark)
-        repeats = self.node.warnings.messages[mark:]
+        repeats = [w for w in self.node.warnings.messages[mark:]
+                   if not w.reason & w.REASON_DEADLINE]  # the machine was busy with other things
         self.assertGreater(len(repeats), 5)
         for repeat in repeats:
             passed = (repeat.header.stamp - stamp).to_sec()
