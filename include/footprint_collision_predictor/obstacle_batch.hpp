@@ -37,7 +37,6 @@ class ObstacleBatch {
   explicit ObstacleBatch(const std::vector<Obstacle>& obstacles);
 
   void clear();
-  void reserve(std::size_t obstacles);
   void add(const Obstacle& obstacle);
   std::size_t size() const { return columns_.x.size(); }
 

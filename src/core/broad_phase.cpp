@@ -216,7 +216,7 @@ std::size_t collect(const std::array<double, kBlock>& marks, std::size_t begin, 
     if (any == 0) continue;
     for (std::size_t i = group; i < group + kGroup; ++i) {
       (*candidates)[found] = begin + i;
-      found += marks[i] > 0 ? 1 : 0;
+      found += static_cast<std::size_t>(marks[i] > 0);
     }
   }
   return found;

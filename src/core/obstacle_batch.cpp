@@ -27,11 +27,6 @@ void ObstacleBatch::clear() {
   grows_ = false;
 }
 
-void ObstacleBatch::reserve(std::size_t obstacles) {
-  changeColumns([&](auto& column) { column.reserve(obstacles); });
-  outline_end_.reserve(obstacles);
-}
-
 void ObstacleBatch::add(const Obstacle& obstacle) {
   resize(size() + 1);
   put(obstacle, size() - 1);
