@@ -32,7 +32,7 @@ template <typename A, typename B>
 bool agree(const Scene& scene, const std::optional<A>& a, const std::optional<B>& b,
            std::optional<std::size_t> segment = {}) {
   if (!a && !b) return true;
-  const std::size_t first = timeOf(a) < timeOf(b) ? a->obstacle : b->obstacle;
+  const std::size_t first = timeOf(a) < timeOf(b) ? a.value().obstacle : b.value().obstacle;
   return areBothRight(scene, first, std::min(timeOf(a), timeOf(b)), std::max(timeOf(a), timeOf(b)),
                       segment);
 }
