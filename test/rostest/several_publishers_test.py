@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
 """Two nodes that publish one input: degraded and both named, but no less is known."""
+import os
 import subprocess
+import sys
 
 import rospy
 from diagnostics_reading import OK, WARN, DiagnosticsReader, values
 from node_testing import PATIENT
 from ros_test_case import RosTestCase, run
+
+SECOND_TRACKER = os.path.join(os.path.dirname(os.path.realpath(__file__)), 'second_tracker.py')
 
 
 class SeveralPublishers(RosTestCase):
@@ -16,14 +20,12 @@ class SeveralPublishers(RosTestCase):
         for _ in range(3):
             self.node.warning_at(self.node.send())
 
-    def second(self, *arguments):
-        """Another process that publishes obstacles, or only says that it would."""
+    def second(self, rate):
+        """Another process that publishes obstacles, or with 0 only says that it would."""
         process = subprocess.Popen(
-            ['rostopic', 'pub', '-s', self.node.topic('obstacles'),
-             'footprint_collision_predictor/ObstacleArray',
-             '{header: {stamp: now, frame_id: base_link}}', '__name:=second_tracker', *arguments])
-        self.addCleanup(process.wait)
-        self.addCleanup(process.terminate)
+            [sys.executable, SECOND_TRACKER, self.node.topic('obstacles'), str(rate)],
+            stdin=subprocess.PIPE)
+        self.addCleanup(process.communicate)  # ends its input
         return process
 
     def check_degraded(self):
@@ -40,10 +42,9 @@ class SeveralPublishers(RosTestCase):
         return several
 
     def test_Fault30_two_that_send(self):
-        second = self.second('-r', '20')
+        second = self.second(20)
         self.check_degraded()
-        second.terminate()
-        second.wait()
+        second.communicate()
         self.feed(self.node.send)
         self.node.warnings.wait_for(lambda w: w.reason == 0 and w.level == w.CLEAR, 'one alone',
                                     self.node.warnings.mark())
@@ -52,7 +53,7 @@ class SeveralPublishers(RosTestCase):
 
     def test_Fault30_one_that_is_silent(self):
         """The master names it: of a type that does not fit, not even a connection would come."""
-        self.second('--latch')
+        self.second(0)
         first = self.check_degraded()
         later = self.node.warnings.wait_for(lambda w: w.sequence >= first.sequence + 60,
                                             'three seconds of heartbeats')
