@@ -3,28 +3,22 @@
 would, until its input ends. (A signal may catch rospy holding the lock that it needs to end.)"""
 import sys
 import threading
-import time
 
 import rospy
 from footprint_collision_predictor.msg import ObstacleArray
-
-
-def end_with_input():
-    sys.stdin.read()
-    rospy.signal_shutdown('the input has ended')
 
 
 def main():
     topic, rate = sys.argv[1], float(sys.argv[2])
     rospy.init_node('second_tracker')
     publisher = rospy.Publisher(topic, ObstacleArray, queue_size=1)
-    threading.Thread(target=end_with_input).start()
-    while rate and not rospy.is_shutdown():
+    ended = threading.Event()
+    threading.Thread(target=lambda: (sys.stdin.read(), ended.set())).start()
+    while not ended.wait(1 / rate if rate else None):
         message = ObstacleArray()
         message.header.stamp, message.header.frame_id = rospy.Time.now(), 'base_link'
         publisher.publish(message)
-        time.sleep(1 / rate)
-    rospy.spin()
+    rospy.signal_shutdown('the input has ended')
 
 
 if __name__ == '__main__':

@@ -98,34 +98,17 @@ struct ByteStream {
   }
 };
 
-/// Into the memory of the message before.
-void readInto(const rosbag::MessageInstance& message, RawMessage* raw) {
-  raw->type = message.getDataType();
-  raw->md5 = message.getMD5Sum();
-  ByteStream stream{raw->bytes};
+RawMessage rawOf(const rosbag::MessageInstance& message) {
+  RawMessage raw{message.getDataType(), message.getMD5Sum(), {}};
+  ByteStream stream{raw.bytes};
   message.write(stream);
+  return raw;
 }
 
-/// Messages that were read together, in the memory of those before them.
+/// Messages that are read together.
 struct Batch {
   std::vector<RecordedMessage> messages;
-  std::size_t count = 0;       // the messages beyond are of earlier batches
-  std::size_t bytes = 0;       // of the messages
   std::exception_ptr problem;  // why there is none after them
-
-  bool isEmpty() const { return count == 0 && !problem; }
-
-  void clear() {
-    count = bytes = 0;
-    problem = nullptr;
-  }
-
-  template <typename Read>
-  void add(const Read& read) {
-    if (count == messages.size()) messages.emplace_back();
-    read(messages[count]);
-    bytes += messages[count++].raw.bytes.size();
-  }
 };
 
 ros::Time earlier(const ros::Time& time, double seconds) {
@@ -172,34 +155,36 @@ void Recording::read(const Window& window, const std::map<std::string, Input>& i
   });
   rosbag::View::iterator message;
   reading(path_, [&] { message = view.begin(); });
-  const auto readNext = [&](RecordedMessage& next) {
-    next.input = inputs.at(message->getTopic());
-    next.recorded = message->getTime();
-    readInto(*message, &next.raw);
+  const auto readNext = [&] {
+    RecordedMessage next{inputs.at(message->getTopic()), message->getTime(), rawOf(*message)};
     ++message;
+    return next;
   };
-  const auto readBatch = [&](Batch& batch) {
-    batch.clear();
+  const auto readBatch = [&] {
+    Batch batch;
+    std::size_t bytes = 0;
     try {
       reading(path_, [&] {
-        while (message != view.end() && batch.bytes < kBatch) batch.add(readNext);
+        while (message != view.end() && bytes < kBatch) {
+          batch.messages.push_back(readNext());
+          bytes += sizeof(RecordedMessage) + batch.messages.back().raw.bytes.size();
+        }
       });
     } catch (...) {
       batch.problem = std::current_exception();
     }
+    return batch;
   };
-  Batch batch, next;
-  readBatch(next);
-  while (!next.isEmpty()) {
-    std::swap(batch, next);
-    std::future<void> reader;
-    if (!batch.problem) reader = std::async(std::launch::async, [&] { readBatch(next); });
-    for (std::size_t i = 0; i < batch.count; ++i) {
+  Batch batch = readBatch();
+  while (!batch.messages.empty() || batch.problem) {
+    std::future<Batch> next;
+    if (!batch.problem) next = std::async(std::launch::async, readBatch);
+    for (const RecordedMessage& one : batch.messages) {
       if (!go_on()) return;
-      take(batch.messages[i]);
+      take(one);
     }
     if (batch.problem) std::rethrow_exception(batch.problem);
-    reader.wait();
+    batch = next.get();
   }
 }
 
