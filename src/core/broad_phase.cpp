@@ -179,30 +179,6 @@ InstructionSet widestInstructionSet() {
   return widest;
 }
 
-SweptFootprint::SweptFootprint(const Polygon& footprint, const Twist& twist, double horizon,
-                               double obstacle_acceleration)
-    : centroid_(footprint.centroid()), count_(1), horizon_(horizon), turns_(twist.angular != 0) {
-  const Twist centroid = atPoint(centroid_, twist);
-  const double speed = centroid.linear.norm();
-  const double acceleration = std::abs(twist.angular) * speed;
-  const double radius = footprint.boundingRadius();
-  // As many as make the bulges some tenths of the footprint: more cost more than they save.
-  const double bulge = (acceleration + obstacle_acceleration) * horizon * horizon / 8;
-  while (count_ < kMostWindows && bulge > 0.5 * radius * static_cast<double>(count_ * count_))
-    ++count_;
-  const double duration = horizon / static_cast<double>(count_);
-  const double own_bulge = acceleration * duration * duration / 8;
-  const Turn turn(twist.angular * duration);
-  Vec2 centre(0, 0), velocity = turn.displacement(centroid.linear);
-  for (std::size_t i = 0; i < count_; ++i) {
-    const double start = static_cast<double>(i) * duration;
-    const double rounding = kGenerous * (radius + (start + duration) * speed);
-    windows_[i] = {start, duration, centre, velocity, radius + own_bulge + rounding};
-    centre += duration * velocity;
-    velocity = turn(velocity);
-  }
-}
-
 namespace {
 
 /// The indices of those that are marked. Most are not, so whole groups are passed over.
