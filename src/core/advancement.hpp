@@ -30,7 +30,9 @@ inline double firstRoot(double gap, double slope, double curvature, double windo
 
 /// How a point lies to the nearest point of a body.
 struct Away {
-  Vec2 vector;  ///< [m] from there to the point
+  /// [m] from there to the point. Put together along the sides, not told from a vertex: close to
+  /// one, its rounded coordinates could turn it so far that it is no normal of the body any more.
+  Vec2 vector;
   /// [m] > 0 when the nearest point is a vertex: how far the point lies beyond each of the sides
   /// that meet there, along them, at least
   double beyond;
@@ -52,8 +54,9 @@ struct EdgeBody {
   Away awayFrom(const Vec2& p) const {
     const double along = edge.tangent.dot(p);
     if (along <= 0) return {p, -along, 0};
-    if (along >= edge.length) return {p - edge.end, along - edge.length, 0};
-    return {cross(edge.tangent, p) * leftNormal(edge.tangent), 0, 0};
+    const Vec2 across = cross(edge.tangent, p) * leftNormal(edge.tangent);
+    const double beyond = std::max(along - edge.length, 0.0);
+    return {beyond * edge.tangent + across, beyond, 0};
   }
 };
 

@@ -32,11 +32,15 @@ class ConvexBody {
       }
     }
     const double beyond = beyondEnd(sides_.along(nearest, p), sides_.length[nearest]);
-    const Vec2 normal = sides_.normal(nearest);
-    const double of_both =
-        beyond == 0 ? 0 : std::min(std::abs(beyond), beyondOther(nearest, beyond, p));
-    return {sides_.across(nearest, p) * normal + beyond * sides_.winding * leftNormal(normal),
-            of_both, nearest};
+    if (beyond == 0) return beside(nearest, p);
+    const Vec2 vector =
+        sides_.across(nearest, p) * sides_.normal(nearest) + beyond * direction(nearest);
+    // How far it leads beyond the side that meets this one there.
+    const std::size_t n = sides_.offset.size();
+    const std::size_t other = (nearest + (beyond < 0 ? n - 1 : 1)) % n;
+    const double beyond_other = std::copysign(1.0, -beyond) * direction(other).dot(vector);
+    if (beyond_other <= 0) return beside(other, p);
+    return {vector, std::min(std::abs(beyond), beyond_other), nearest};
   }
 
  private:
@@ -46,12 +50,13 @@ class ConvexBody {
     return before + after;
   }
 
-  /// How far a point beyond an end of a side lies beyond the side that meets it there.
-  double beyondOther(std::size_t side, double beyond, const Vec2& p) const {
-    const std::size_t n = sides_.offset.size();
-    const std::size_t other = (side + (beyond < 0 ? n - 1 : 1)) % n;
-    const double along = sides_.along(other, p);
-    return beyond < 0 ? along - sides_.length[other] : -along;
+  Vec2 direction(std::size_t side) const {
+    return sides_.winding * leftNormal(sides_.normal(side));
+  }
+
+  /// Of a point beside a side, between its ends.
+  Away beside(std::size_t side, const Vec2& p) const {
+    return {sides_.across(side, p) * sides_.normal(side), 0, side};
   }
 
   void squaredDistances(const Vec2& p, std::size_t begin, std::size_t count,

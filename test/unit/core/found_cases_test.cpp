@@ -1,6 +1,9 @@
 // Cases that once broke the guarantee, as the random suites printed them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "footprint_collision_predictor/predictor.hpp"
 #include "guarantee.hpp"
 
 namespace footprint_collision_predictor::test {
@@ -83,6 +86,40 @@ TEST(FoundCase, SquareToTheEndButForADenormal) {
                0x0p+0,
                0x1.7cp+6};
   expectGuarantee(c);
+}
+
+// Sinks into the far end of a long segment at a shallow angle: a tenth of a nanometre away the
+// rounded coordinates of the end turned the normal so that a step led past the contact.
+TEST(FoundCase, IntoTheFarEndAtAShallowAngle) {
+  const Case c{{{-0x1.65b8554a4e43dp+2, -0x1.808a09dfc5efap-4},
+                {0x1.6db897c59e684p+4, -0x1.b7eb7932e8b7ep+4}},
+               {{0x1.6dbab623328f7p+4, -0x1.b7ed8210dcfe3p+4},
+                {0x1.2dc63d2fd4fp-20, -0x1.21a69fd875664p-20},
+                {-0x1.64c8dcf83d4f5p-7, 0x1.56a4692bcea55p-7}},
+               0x0p+0,
+               0x1.cea1c4d328efdp+5};
+  expectGuarantee(c);
+}
+
+// A vertex meets a line much longer than the footprint: what rounding leaves of the gap was taken
+// for the way from one to the other.
+TEST(FoundCase, ClosingSpeedAgainstALongLine) {
+  const core::Polygon footprint({{0x1.2a55345f64514p-3, 0x1.92eefada7675bp-1},
+                                 {-0x1.28a72a5949269p-3, 0x1.3310427e17454p+0},
+                                 {0x1.ec55b8ab3de7dp-3, 0x1.4657951386fdbp+0}});
+  const core::Twist twist{{0x1.1901dbf9e7abep+0, 0x1.99d1316a6b886p-3}, 0};
+  const core::Motion motion{{0x1.10d21b7249d3p-3, 0x1.23dc0ddce5778p+0},
+                            {0x1.f019bc7d1e043p+1, -0x1.98c215ae69399p+1},
+                            {0, 0}};
+  const core::Vec2 start(-0x1.9b92c047f37cp+2, 0x1.de18173f6f5e8p+1);
+  const core::Vec2 end(0x1.0065ad555bf1fp+4, -0x1.94c277093bd38p+2);
+  const auto first = firstContact(footprint, twist, core::Obstacle(motion, 0, 0, {start, end}),
+                                  0x1.6a2705d90e994p-1);
+  ASSERT_TRUE(first);
+  EXPECT_NE(first->contact.feature, core::Feature::kInside);
+  const core::Vec2 relative = motion.velocity - twist.linear;
+  EXPECT_NEAR(first->closing_speed, std::abs(core::cross((end - start).normalized(), relative)),
+              1e-9);
 }
 
 }  // namespace
