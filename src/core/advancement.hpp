@@ -60,6 +60,11 @@ struct EdgeBody {
   }
 };
 
+/// A point at the origin as a body.
+struct PointBody {
+  Away awayFrom(const Vec2& p) const { return {p, 0, 0}; }
+};
+
 /// The gap between a growing disc and a convex body at one moment, and how it may shrink from
 /// there.
 template <typename Body, typename Path>
@@ -139,13 +144,13 @@ struct Advance {
   std::size_t segment;  ///< of the body, where it was nearest
 };
 
-/// Goes on to the first t in [0, horizon] at which the gap is at most the tolerance; it is aimed at
-/// half of that, so that it is never later than the contact.
-/// \param tolerance [m] > 0, as a function of time, which does not fall
+/// Goes on to the first t in [start, horizon] at which the gap is at most the tolerance; it is
+/// aimed at half of that, so that it is never later than the contact. \param tolerance [m] > 0, as
+/// a function of time, which does not fall
 template <typename Body, typename Path, typename Tolerance>
-Advance advanceToContact(const Body& body, const Path& path, const Disc& disc, double horizon,
-                         const Tolerance& tolerance, std::size_t max_steps) {
-  double t = 0, step = std::numeric_limits<double>::infinity();
+Advance advanceToContact(const Body& body, const Path& path, const Disc& disc, double start,
+                         double horizon, const Tolerance& tolerance, std::size_t max_steps) {
+  double t = start, step = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < max_steps; ++i) {
     const Gap<Body, Path> gap(body, path, disc, t);
     const double enough = tolerance(t);

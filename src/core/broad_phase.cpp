@@ -28,26 +28,33 @@ struct Chord {
   return x * x + y * y <= squared(c.reach);
 }
 
-/// By the sign of a quadratic: without a division, which is quicker for a single one. The reach may
-/// grow at a rate [m/s].
-template <bool kGrows>
-[[gnu::always_inline]] inline bool mayTouchBySign(const Chord& c, double rate, double duration) {
+/// By the ends of the way and, where it passes between them, how far away its line does: without a
+/// division, which is quicker for a single one.
+[[gnu::always_inline]] inline bool mayTouchWithoutDivision(const Chord& c, double duration) {
+  const double ex = c.px + duration * c.vx, ey = c.py + duration * c.vy;
+  const double size = std::abs(c.px) + std::abs(c.py) + std::abs(ex) + std::abs(ey);
+  const double reach = c.reach + kGenerous * size;
+  const double reach2 = squared(reach);
+  const double cross = c.px * c.vy - c.py * c.vx;
+  const bool at_the_ends = (c.px * c.px + c.py * c.py <= reach2) | (ex * ex + ey * ey <= reach2);
+  const bool between = (c.px * c.vx + c.py * c.vy <= 0) & (ex * c.vx + ey * c.vy >= 0) &
+                       (cross * cross <= reach2 * (c.vx * c.vx + c.vy * c.vy));
+  return at_the_ends | between;
+}
+
+/// By the sign of a quadratic. The reach grows at a rate [m/s].
+[[gnu::always_inline]] inline bool mayTouchGrowing(const Chord& c, double rate, double duration) {
   // |p + v t|^2 - (reach + rate t)^2 = f + 2 h t + m t^2, and its discriminant as a sum of squares
   // of cross products, which does not cancel far away.
-  const double p2 = c.px * c.px + c.py * c.py, v2 = c.vx * c.vx + c.vy * c.vy;
+  const double p2 = c.px * c.px + c.py * c.py;
   const double reach2 = c.reach * c.reach;
-  const double cross = c.px * c.vy - c.py * c.vx;
   const double f = p2 - reach2;
-  double h = c.px * c.vx + c.py * c.vy;
-  double m = v2, speeds = v2;
-  double discriminant = reach2 * v2 - cross * cross;
-  if constexpr (kGrows) {
-    h -= c.reach * rate;
-    m -= rate * rate;
-    speeds += rate * rate;
-    const double x = c.reach * c.vx - rate * c.px, y = c.reach * c.vy - rate * c.py;
-    discriminant = x * x + y * y - cross * cross;
-  }
+  const double h = c.px * c.vx + c.py * c.vy - c.reach * rate;
+  const double m = c.vx * c.vx + c.vy * c.vy - rate * rate;
+  const double speeds = c.vx * c.vx + c.vy * c.vy + rate * rate;
+  const double cross = c.px * c.vy - c.py * c.vx;
+  const double x = c.reach * c.vx - rate * c.px, y = c.reach * c.vy - rate * c.py;
+  const double discriminant = x * x + y * y - cross * cross;
   const double at_end = f + duration * (2 * h + duration * m);
   const double size = kGenerous * (p2 + reach2);
   const double rounding = size + kGenerous * duration * duration * speeds;
@@ -56,9 +63,9 @@ template <bool kGrows>
   return (at_the_ends | between) & (c.reach >= 0);
 }
 
-[[gnu::always_inline]] inline bool mayTouchBySign(const Chord& c, double rate, double duration) {
-  return rate == 0 ? mayTouchBySign<false>(c, 0, duration)
-                   : mayTouchBySign<true>(c, rate, duration);
+/// For a single one.
+[[gnu::always_inline]] inline bool mayTouch(const Chord& c, double rate, double duration) {
+  return rate == 0 ? mayTouchWithoutDivision(c, duration) : mayTouchGrowing(c, rate, duration);
 }
 
 struct Arrays {
@@ -102,7 +109,7 @@ template <Simple kSimple>
   }
   const Chord c = chordOf(a, i, q);
   if constexpr (kSimple == Simple::kSteady) return mayTouch(c, duration);
-  return mayTouchBySign<true>(c, a.radius_rate[i], duration);
+  return mayTouchGrowing(c, a.radius_rate[i], duration);
 }
 
 /// The marks are numbers like all others, so that a register holds as many of them.
@@ -233,24 +240,16 @@ bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc
   const auto may_touch = [&](const SweptFootprint::Window& window) {
     const Question question = questionOf(footprint, window, gap, farthest);
     const Chord chord = chordOf(one, 0, question);
-    return mayTouchBySign(chord, disc.radius_rate, window.duration);
+    return mayTouch(chord, disc.radius_rate, window.duration);
   };
   return std::any_of(footprint.begin(), footprint.end(), may_touch);
 }
 
 namespace {
 
-[[gnu::noinline]] bool mayTouchInWindows(const Polygon& footprint, const Twist& twist,
-                                         const Disc& disc, double bounding_radius, double horizon) {
-  const SweptFootprint swept(footprint, twist, horizon, disc.motion.acceleration.norm());
-  return mayComeWithin(0, swept, disc, bounding_radius);
-}
-
-}  // namespace
-
-bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
-              double bounding_radius, double horizon) {
-  // Most are settled by a single window.
+/// By a single window.
+[[gnu::noinline]] bool mayTouchBent(const Polygon& footprint, const Twist& twist, const Disc& disc,
+                                    double bounding_radius, double horizon) {
   const Motion& m = disc.motion;
   const Vec2 p = m.position - footprint.centroid();
   Vec2 own = twist.linear;
@@ -266,8 +265,20 @@ bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
   const double bulge = 0.125 * horizon * horizon * acceleration;
   const double reach = bounding_radius + footprint.boundingRadius() + bulge + rounding;
   const Chord chord{p.x(), p.y(), v.x(), v.y(), reach};
-  if (!mayTouchBySign(chord, disc.radius_rate, horizon)) return false;
-  return bulge == 0 || mayTouchInWindows(footprint, twist, disc, bounding_radius, horizon);
+  return mayTouch(chord, disc.radius_rate, horizon);
+}
+
+}  // namespace
+
+bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
+              double bounding_radius, double horizon) {
+  const Motion& m = disc.motion;
+  if (twist.angular != 0 || m.acceleration.x() != 0 || m.acceleration.y() != 0)
+    return mayTouchBent(footprint, twist, disc, bounding_radius, horizon);
+  const Vec2 p = m.position - footprint.centroid();
+  const Vec2 v = m.velocity - twist.linear;
+  const double reach = bounding_radius + footprint.boundingRadius();
+  return mayTouch({p.x(), p.y(), v.x(), v.y(), reach}, disc.radius_rate, horizon);
 }
 
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {

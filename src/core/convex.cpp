@@ -124,17 +124,41 @@ ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until) 
   return may_touch ? kUncertain : kNever;
 }
 
-/// Any other motion: advancement of the whole. \param path of the centre about the centroid
+/// Until when the circles around the two are certainly apart; nothing when they are until `until`.
+/// Each step costs a fraction of one with all sides. \param path of the centre as seen from the
+/// footprint's, or the reverse, by one who does not turn
 template <typename Path>
-ConvexAnswer advance(const Polygon& footprint, const Path& path, const Disc& disc, double until,
-                     double tolerance) {
+std::optional<double> timeApart(const Polygon& footprint, const Path& path, const Disc& disc,
+                                double until) {
+  constexpr int kFewSteps = 8;
+  const double radius = footprint.boundingRadius();
+  const Disc both{{}, disc.radius + radius, disc.radius_rate};
+  const double near = 0.02 * radius + kGenerous * path.sizeAt(until);
+  double t = 0;
+  for (int i = 0; i < kFewSteps; ++i) {
+    const Gap gap(PointBody{}, path, both, t);
+    if (gap.size() <= near) break;
+    const double step = gap.staysAbove(near / 2, until - t);
+    if (step >= until - t) return std::nullopt;
+    t += step;
+  }
+  return t;
+}
+
+/// Any other motion: advancement of the whole, from when the circles around the two touch.
+/// \param between the path for that \param path of the centre about the centroid
+template <typename Between, typename Path>
+ConvexAnswer advance(const Polygon& footprint, const Between& between, const Path& path,
+                     const Disc& disc, double until, double tolerance) {
   constexpr std::size_t kFewSteps = 16;
+  const auto start = timeApart(footprint, between, disc, until);
+  if (!start) return kNever;
   const auto enough = [&](double t) {
     const double size = path.sizeAt(t) + disc.radiusAt(t) + 2 * footprint.boundingRadius();
     return tolerance + kRoundingAllowance * size;
   };
   const ConvexBody body(footprint.sides());
-  const Advance result = advanceToContact(body, path, disc, until, enough, kFewSteps);
+  const Advance result = advanceToContact(body, path, disc, *start, until, enough, kFewSteps);
   if (result.outcome == Advance::kUndecided) return kUncertain;
   if (result.outcome == Advance::kNoContact) return kNever;
   const Edge& edge = footprint.segment(result.segment);
@@ -149,11 +173,15 @@ ConvexAnswer firstTouchOfConvex(const Polygon& footprint, const Twist& twist, co
                                 double until) {
   const Motion& m = disc.motion;
   const Motion local{m.position - footprint.centroid(), m.velocity, m.acceleration};
-  if (twist.angular != 0)
-    return advance(footprint, PathSeenFromTurningBody(local, atPoint(footprint.centroid(), twist)),
-                   disc, until, kTurningTolerance);
-  if (m.acceleration != Vec2::Zero())
-    return advance(footprint, StraightPath(relativeMotion(local, twist)), disc, until, 0);
+  if (twist.angular != 0) {
+    const Twist at_centroid = atPoint(footprint.centroid(), twist);
+    return advance(footprint, PathOfTurningPoint(local, at_centroid),
+                   PathSeenFromTurningBody(local, at_centroid), disc, until, kTurningTolerance);
+  }
+  if (m.acceleration != Vec2::Zero()) {
+    const StraightPath path(relativeMotion(local, twist));
+    return advance(footprint, path, path, disc, until, 0);
+  }
   return clip(footprint, {relativeMotion(m, twist), disc.radius, disc.radius_rate}, until);
 }
 

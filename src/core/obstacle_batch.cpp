@@ -59,11 +59,14 @@ void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
 
 Disc ObstacleBatch::disc(std::size_t i) const {
   const ObstacleColumns& c = columns_;
-  return {
-      {{c.x[i], c.y[i]}, {c.vx[i], c.vy[i]}, {c.ax[i], c.ay[i]}}, c.radius[i], c.radius_rate[i]};
+  // A column of zeros is not looked into: it would have to be fetched from far away.
+  const Vec2 acceleration = largest_acceleration_ > 0 ? Vec2(c.ax[i], c.ay[i]) : Vec2(Vec2::Zero());
+  const double radius_rate = grows_ ? c.radius_rate[i] : 0;
+  return {{{c.x[i], c.y[i]}, {c.vx[i], c.vy[i]}, acceleration}, c.radius[i], radius_rate};
 }
 
 Outline ObstacleBatch::outline(std::size_t i) const {
+  if (outline_edges_.empty()) return {outline_edges_.data(), 0};
   const std::size_t begin = i == 0 ? 0 : outline_end_[i - 1];
   return {outline_edges_.data() + begin, outline_end_[i] - begin};
 }

@@ -39,6 +39,11 @@ std::optional<FootprintContact> firstOf(
     const Nearest nearest = nearestNow(footprint, shape);
     if (nearest.gap <= 0) return contactNow(footprint, twist, shape, nearest);
   }
+  if (!footprint.isConvex() || shape.outline.size > 0) {
+    // Segment by segment takes long; circles before a convex footprint have their own quick look.
+    const SweptFootprint swept(footprint, twist, horizon, obstacle.motion().acceleration.norm());
+    if (!mayComeWithin(0, swept, shape.disc, bounding_radius)) return std::nullopt;
+  }
   const auto touch = firstTouch(footprint, twist, shape, horizon, horizon);
   if (!touch) return std::nullopt;
   return contactLater(footprint, twist, shape, *touch);

@@ -87,10 +87,10 @@ Near nearTo(const Edge& edge, const Shape& shape) {
 
 }  // namespace
 
-double boundingRadius(const Obstacle& obstacle) {
+double farthestVertex(const Obstacle& obstacle) {
   double farthest = 0;
   for (const Vec2& vertex : obstacle.outline()) farthest = std::max(farthest, vertex.norm());
-  return obstacle.radius() + farthest;
+  return farthest;
 }
 
 void appendOutline(const Obstacle& obstacle, std::vector<Edge>* edges) {

@@ -17,8 +17,13 @@ struct Shape {
   Outline outline;  ///< relative to the disc's centre; empty for a circle
 };
 
+/// Distance [m] of the outline's farthest vertex from the obstacle's position.
+double farthestVertex(const Obstacle& obstacle);
 /// [m] of the circle about the obstacle's position that holds it all now
-double boundingRadius(const Obstacle& obstacle);
+inline double boundingRadius(const Obstacle& obstacle) {
+  return obstacle.outline().empty() ? obstacle.radius()
+                                    : obstacle.radius() + farthestVertex(obstacle);
+}
 
 /// Adds the edges of the obstacle's outline: one of a line, as many as vertices of a polygon.
 void appendOutline(const Obstacle& obstacle, std::vector<Edge>* edges);

@@ -182,7 +182,7 @@ std::optional<double> timeToTouchAccelerating(const Edge& edge, const InEdgeFram
   const auto slack = [&](double t) { return f.allowance.at(t); };
   const Advance advance =
       advanceToContact(EdgeBody{fromStart(edge)}, StraightPath(f.from_start.motion), f.from_start,
-                       horizon, slack, kFewSteps);
+                       0, horizon, slack, kFewSteps);
   if (advance.outcome == Advance::kNoContact) return std::nullopt;
   if (advance.outcome == Advance::kContact) return advance.time;
   const auto time =

@@ -29,7 +29,7 @@ template <typename Path, typename Tolerance>
 std::optional<double> timeToTouchTurning(const Edge& edge, const Path& path, const Disc& disc,
                                          double horizon, const Tolerance& tolerance) {
   const EdgeBody body{edge};
-  const Advance advance = advanceToContact(body, path, disc, horizon, tolerance, kMostSteps);
+  const Advance advance = advanceToContact(body, path, disc, 0, horizon, tolerance, kMostSteps);
   // Undecided is never later than the contact.
   return advance.outcome == Advance::kNoContact ? std::nullopt : std::make_optional(advance.time);
 }

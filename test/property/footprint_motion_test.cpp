@@ -12,6 +12,8 @@ void run(const std::string& name, const SuiteSize& size, const Moves& moves) {
                     [&](Random& random) { return anyFootprintCase(random, moves); });
   runFootprintSuite("footprint grazed, " + name, size,
                     [&](Random& random) { return grazingFootprint(random, moves); });
+  runFootprintSuite("footprint sunk into, " + name, size,
+                    [&](Random& random) { return sinkingFootprint(random, moves); });
 }
 
 TEST(FootprintMotion, CirclesStraight) { run("circle", {1000, 200000}, {}); }

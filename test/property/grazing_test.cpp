@@ -1,4 +1,5 @@
-// Passing an end at almost exactly the radius, where time is ill-conditioned.
+// Passing an end at almost exactly the radius, where time is ill-conditioned, or the segment's line
+// just beside it.
 #include <gtest/gtest.h>
 
 #include "generators.hpp"
@@ -11,6 +12,10 @@ TEST(Grazing, AnEndHoldsTheGuarantee) { runSuite("grazing an end", kMain, grazin
 
 TEST(Grazing, OsculatingAnEndHoldsTheGuarantee) {
   runSuite("osculating an end", {100000, 10000000}, osculating);
+}
+
+TEST(Grazing, SinkingInBesideAnEndHoldsTheGuarantee) {
+  runSuite("sinking in beside an end", kMain, sinking);
 }
 
 }  // namespace

@@ -25,6 +25,10 @@ TEST(Turning, GrazingHoldsTheGuarantee) {
   runTurningSuite("turning, grazing", 0.15, turningGraze, {10000, 1000000});
 }
 
+TEST(Turning, SinkingInBesideAnEndHoldsTheGuarantee) {
+  runTurningSuite("turning, sinking in", 0.4, turningSinking, {5000, 500000});
+}
+
 TEST(Turning, TouchingNowHoldsTheGuarantee) {
   runTurningSuite("turning, touching now", 0.06, turningNow);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "footprint_oracle.hpp"
+#include "generators.hpp"
 
 namespace footprint_collision_predictor::test {
 namespace {
@@ -155,6 +156,24 @@ FootprintCase grazingFootprint(Random& random, const Moves& moves) {
   const Vec2 velocity = random.logUniform(1e-3, 10) *
                         (random.sign() * core::leftNormal(outwards) - inwards * outwards);
   c.disc.motion = motionThrough(place, vec(way.end), velocity, when, c.twist, acceleration);
+  return c;
+}
+
+FootprintCase sinkingFootprint(Random& random, const Moves& moves) {
+  FootprintCase c = anyShapes(random, moves);
+  c.outline.clear();
+  if (random.chance(0.5)) c.disc.radius = 0;
+  const Vec2 acceleration = moves.accelerates ? anyAcceleration(random) : Vec2(0, 0);
+  const double when = random.uniform(0, 1) * c.horizon;
+  const core::Polygon footprint(c.footprint);
+  const int last = static_cast<int>(footprint.size()) - 1;
+  const core::Edge& side = footprint.segment(static_cast<std::size_t>(random.integer(0, last)));
+  const Vec2 outwards =
+      core::leftNormal(footprint.isCounterClockwise() ? Vec2(-side.tangent) : side.tangent);
+  const Sinking way = anySinking(side, outwards, random);
+  const Vec2 velocity = random.logUniform(1e-3, 10) * way.direction + c.disc.radius_rate * outwards;
+  c.disc.motion = motionThrough(way.point + c.disc.radiusAt(when) * outwards, way.point, velocity,
+                                when, c.twist, acceleration);
   return c;
 }
 

@@ -32,6 +32,10 @@ FootprintCase anyFootprintCase(Random& random, const Moves& moves);
 /// other: alongside, or closing or parting slowly.
 FootprintCase grazingFootprint(Random& random, const Moves& moves);
 
+/// A circle, or in one half a point, touches a side just beside a vertex, at a shallow angle. It
+/// has no outline.
+FootprintCase sinkingFootprint(Random& random, const Moves& moves);
+
 /// The same with lengths and times so many times as large, and what follows from these.
 FootprintCase scaled(const FootprintCase& c, double length, double time);
 

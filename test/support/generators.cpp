@@ -104,6 +104,26 @@ Case osculating(Random& random) {
           std::min(core::kMaxHorizon, 3 * time)};
 }
 
+Sinking anySinking(const Segment& s, const Vec2& outwards, Random& random) {
+  const bool at_start = random.chance(0.5);
+  const Vec2 inwards = at_start ? Vec2(s.end - s.start) : Vec2(s.start - s.end);
+  return {(at_start ? s.start : s.end) + random.logUniform(1e-12, 1e-2) * inwards,
+          inwards.normalized() - random.logUniform(1e-8, 1) * outwards};
+}
+
+Case sinking(Random& random) {
+  const Segment s = anySegment(random);
+  const Vec2 outwards = random.sign() * core::leftNormal((s.end - s.start).normalized());
+  const Sinking way = anySinking(s, outwards, random);
+  const double radius = random.chance(0.5) ? 0 : random.logUniform(1e-9, 1e-2);
+  const Vec2 velocity = random.logUniform(1e-3, 1e2) * way.direction;
+  Vec2 acceleration = anyVector(random, 1e-9, 10);
+  if (random.chance(0.5)) acceleration = random.uniform(-1, 1) * velocity;  // a straight line
+  const double time = random.logUniform(1e-3, 10);
+  const Vec2 centre = way.point + radius * outwards;
+  return {s, leadingTo(centre, time, velocity, acceleration), radius, 2 * time};
+}
+
 Case touchingNow(Random& random) {
   const Segment s = anySegment(random);
   const Touch touch = anyTouch(s, random);

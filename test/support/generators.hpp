@@ -44,6 +44,18 @@ Case grazingEnd(Random& random);
 /// long, and its first and second derivative almost vanish.
 Case osculating(Random& random);
 
+/// A way that comes from beyond an end, and where it meets the segment just beside that end.
+struct Sinking {
+  Vec2 point;
+  Vec2 direction;  ///< no unit vector
+};
+
+/// Beside an end by 1e-12 .. 1e-2 of the length, at a slope of 1e-8 .. 1, from the given side.
+Sinking anySinking(const Segment& segment, const Vec2& outwards, Random& random);
+
+/// Comes from beyond an end and touches the segment just beside it, at a shallow angle.
+Case sinking(Random& random);
+
 /// Touches the segment at t = 0, but for +-1e-16 .. 1e-6 m, and moves in, out or alongside.
 Case touchingNow(Random& random);
 

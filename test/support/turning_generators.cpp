@@ -112,6 +112,18 @@ Case grazing(const Setting& of, Random& random) {
   return meeting(of, place, time, velocity, anyVector(random, 1e-9, 10), horizon);
 }
 
+Case sinkingIn(const Setting& of, Random& random) {
+  const Segment& s = of.segment;
+  const Vec2 outwards = random.sign() * core::leftNormal((s.end - s.start).normalized());
+  const Sinking way = anySinking(s, outwards, random);
+  const double horizon = horizonFor(of.twist, random);
+  const double time = random.uniform(0, 1) * horizon;
+  const Vec2 place = way.point + radiusAt(of, time) * outwards;
+  const Vec2 velocity = velocityOf(place, of.twist) + of.radius_rate * outwards +
+                        random.logUniform(1e-3, 1e2) * way.direction;
+  return meeting(of, place, time, velocity, anyVector(random, 1e-9, 10), horizon);
+}
+
 Case now(const Setting& of, Random& random) {
   const Touch touch = anyTouch(of.segment, random);
   const double gap = random.chance(0.2) ? 0 : random.sign() * random.logUniform(1e-16, 1e-6);
@@ -125,8 +137,8 @@ Case now(const Setting& of, Random& random) {
 }
 
 Kind anyKind(Random& random) {
-  static const std::array<Kind, 4> kKinds{aimed, standing, grazing, now};
-  return kKinds[static_cast<std::size_t>(random.integer(0, 3))];
+  static const std::array<Kind, 5> kKinds{aimed, standing, grazing, sinkingIn, now};
+  return kKinds[static_cast<std::size_t>(random.integer(0, 4))];
 }
 
 }  // namespace
@@ -149,6 +161,11 @@ double anyYawRate(Random& random) {
 Case turningCase(Random& random) { return aimed(anySetting(random), random); }
 Case pillar(Random& random) { return standing(anySetting(random), random); }
 Case turningGraze(Random& random) { return grazing(anySetting(random), random); }
+Case turningSinking(Random& random) {
+  Setting setting = anySetting(random);
+  if (random.chance(0.5)) setting.radius = 0;
+  return sinkingIn(setting, random);
+}
 Case turningNow(Random& random) { return now(anySetting(random), random); }
 
 Case turningOfEveryKind(Random& random) {

@@ -26,6 +26,10 @@ Case pillar(Random& random);
 /// alongside; a pillar in one half.
 Case turningGraze(Random& random);
 
+/// A moment comes at which the disc touches the segment just beside an end, at a shallow angle as
+/// seen from the body; a point in more than half.
+Case turningSinking(Random& random);
+
 /// Touches at t = 0 but for +-1e-16 .. 1e-6 m, and moves in, out or alongside as seen from the
 /// body.
 Case turningNow(Random& random);
