@@ -34,12 +34,11 @@ double closingSpeed(const Polygon& footprint, const Twist& twist, const Shape& s
   const Vec2 velocity =
       Turn(twist.angular * contact.time).back(local.disc.motion.velocityAt(contact.time)) -
       at_contact.linear;
-  const Disc point{relativeMotion(local.disc.motion, at_contact), 0, 0};
+  const StraightPath path(relativeMotion(local.disc.motion, at_contact));
   double size = 2 * footprint.boundingRadius();
   for (const Edge& edge : shape.outline)
     size = std::max(size, edge.start.lpNorm<1>() + edge.end.lpNorm<1>());
-  const double rounding =
-      contactTolerance({{0, 0}, {0, 0}}, point, contact.time) + kRoundingAllowance * size;
+  const double rounding = kRoundingAllowance * (path.sizeAt(contact.time) + size);
   const double nothing = 4 * rounding + (twist.angular != 0 ? 2 * kTurningTolerance : 0);
   const double distance = away.norm();
   if (distance > nothing)
