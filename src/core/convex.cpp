@@ -14,13 +14,6 @@ namespace {
 const ConvexAnswer kUncertain{false, std::nullopt};
 const ConvexAnswer kNever{true, std::nullopt};
 
-/// \param slack [m] within which an end is named
-ConvexAnswer touchAt(const Edge& edge, std::size_t i, double along, double t, double slack) {
-  if (along <= slack) return {true, FirstTouch{{t, Feature::kStart, edge.start}, i}};
-  if (along >= edge.length - slack) return {true, FirstTouch{{t, Feature::kEnd, edge.end}, i}};
-  return {true, FirstTouch{{t, Feature::kInside, edge.start + along * edge.tangent}, i}};
-}
-
 /// Whether vertex i is what is nearest to a point outside: beyond both sides that meet there.
 bool isNearest(const Sides& sides, std::size_t i, const Vec2& p) {
   const std::size_t n = sides.offset.size();
@@ -107,7 +100,8 @@ ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until) 
     const std::size_t i = passage.side;
     const double along = sides.along(i, disc.p + passage.enter * disc.v);
     if (along >= 0 && along <= sides.length[i])
-      return touchAt(footprint.segment(i), i, along, passage.enter, disc.rounding);
+      return {true,
+              FirstTouch{contactAt(footprint.segment(i), along, passage.enter, disc.rounding), i}};
     vertex = along < 0 ? i : (i + 1) % footprint.size();
   } else {
     vertex = nearestVertex(footprint, relative.motion.position);
@@ -163,8 +157,9 @@ ConvexAnswer advance(const Polygon& footprint, const Between& between, const Pat
   if (result.outcome == Advance::kNoContact) return kNever;
   const Edge& edge = footprint.segment(result.segment);
   const Vec2 centre = path.at(result.time).position - (edge.start - footprint.centroid());
+  const double along = edge.tangent.dot(centre);
   return {true,
-          FirstTouch{contactAt(edge, centre, result.time, enough(result.time)), result.segment}};
+          FirstTouch{contactAt(edge, along, result.time, enough(result.time)), result.segment}};
 }
 
 }  // namespace

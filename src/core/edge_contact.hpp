@@ -21,9 +21,9 @@ std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, doubl
 std::optional<Contact> timeToCollision(const Edge& edge, const Twist& twist, const Disc& disc,
                                        double horizon);
 
-/// \param position [m] of the disc's centre relative to the edge's start, at its contact at t
+/// \param along [m] how far along the edge the disc's centre is from its start, at its contact at t
 /// \param slack [m] within which an end is named
-Contact contactAt(const Edge& edge, const Vec2& position, double t, double slack);
+Contact contactAt(const Edge& edge, double along, double t, double slack);
 
 /// Earliest t in [0, horizon] at which a point that moves evenly is within a growing reach of the
 /// origin.

@@ -22,9 +22,7 @@ std::optional<Vec2> crossing(const Edge& a, const Edge& b) {
   const double start = cross(along, b.start - a.start), end = cross(along, b.end - a.start);
   const Vec2 other = b.end - b.start;
   const double left = cross(other, a.start - b.start), right = cross(other, a.end - b.start);
-  const bool crosses =
-      (start > 0) != (end > 0) && (left > 0) != (right > 0) && start != end && left != right;
-  if (!crosses) return std::nullopt;
+  if ((start > 0) == (end > 0) || (left > 0) == (right > 0)) return std::nullopt;
   return Vec2(a.start + left / (left - right) * along);
 }
 

@@ -227,8 +227,7 @@ std::optional<double> timeToReach(const Vec2& position, const Vec2& velocity, do
   return time && *time <= horizon ? time : std::nullopt;
 }
 
-Contact contactAt(const Edge& edge, const Vec2& position, double t, double slack) {
-  const double along = edge.tangent.dot(position);
+Contact contactAt(const Edge& edge, double along, double t, double slack) {
   if (along <= slack) return {t, Feature::kStart, edge.start};
   if (along >= edge.length - slack) return {t, Feature::kEnd, edge.end};
   return {t, Feature::kInside, edge.start + along * edge.tangent};
@@ -249,7 +248,8 @@ std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, doubl
   const auto time =
       straight ? timeToTouchStraight(edge, f, horizon) : timeToTouchAccelerating(edge, f, horizon);
   if (!time) return std::nullopt;
-  return contactAt(edge, f.from_start.motion.positionAt(*time), *time, f.allowance.at(*time));
+  const double along = edge.tangent.dot(f.from_start.motion.positionAt(*time));
+  return contactAt(edge, along, *time, f.allowance.at(*time));
 }
 
 }  // namespace footprint_collision_predictor::core

@@ -52,7 +52,7 @@ std::optional<Contact> timeToCollision(const Edge& edge, const Twist& twist, con
   const auto tolerance = toleranceOf(path, edge, disc);
   const auto time = timeToTouchTurning(fromStart(edge), path, local, horizon, tolerance);
   if (!time) return std::nullopt;
-  return contactAt(edge, path.at(*time).position, *time, tolerance(*time));
+  return contactAt(edge, edge.tangent.dot(path.at(*time).position), *time, tolerance(*time));
 }
 
 std::optional<double> timeToTouchPoint(const Vec2& point, const Twist& twist, const Edge& edge,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "footprint_collision_predictor/predictor.hpp"
+#include "footprint_guarantee.hpp"
 #include "guarantee.hpp"
 
 namespace footprint_collision_predictor::test {
@@ -56,6 +57,18 @@ TEST(FoundCase, RestingInAGraze) {
   expectGuarantee(c);
 }
 
+// Without acceleration: the end is passed by a hair, and the inside entered.
+TEST(FoundCase, BetweenTheEndAndTheInsideStraight) {
+  const Case c{{{-0x1.4c5344976c893p+1, 0x1.a9c00eba82a2bp+1},
+                {-0x1.6b74935728ce5p+0, -0x1.dc867ba54b9c2p+0}},
+               {{0x1.b8bab305a0b73p+5, -0x1.f60cddb4b083p+7},
+                {-0x1.e427f5528fbddp+2, 0x1.0ad692296bd55p+5},
+                {0x0p+0, 0x0p+0}},
+               0x1.053cc54f34248p-17,
+               0x1.de163b33c8ecdp+3};
+  expectGuarantee(c);
+}
+
 // Flies hundreds of metres away and back to a place near by, at a shallow angle.
 TEST(FoundCase, AShallowBoomerang) {
   const Case c{{{-0x1.2f7241dec3aa2p+1, -0x1.d35e8d503fc18p+1},
@@ -99,6 +112,22 @@ TEST(FoundCase, IntoTheFarEndAtAShallowAngle) {
                0x0p+0,
                0x1.cea1c4d328efdp+5};
   expectGuarantee(c);
+}
+
+// Starts where rounding does not tell whether a vertex or a side is what is nearest.
+TEST(FoundCase, FromBetweenAVertexAndASide) {
+  FootprintCase c{};
+  c.footprint = {{0x1.f298dbf3ffddbp-5, -0x1.6cf32791c7a59p-4},
+                 {-0x1.c88480b956c9ep-4, -0x1.e2826f515f722p-6},
+                 {-0x1.5357e14981da3p-6, 0x1.b96c1433faf39p-4},
+                 {0x1.decd5e5f0df63p-4, 0x1.2d7d40a18423p-5}};
+  c.disc = {{{0x1.761824e82c6f7p-4, -0x1.80e9f3b0ad4d4p-6},
+             {0x1.7674d6bfc2edp-14, 0x1.a4b397bcd3553p-13},
+             {0, 0}},
+            0x1.305068c163ep-10,
+            0};
+  c.horizon = 0x1.ad3b3d0132c11p+2;
+  expectFootprintGuarantee(c);
 }
 
 // A vertex meets a line much longer than the footprint: what rounding leaves of the gap was taken

@@ -52,6 +52,29 @@ TEST(Predict, EverySegmentHasItsOwnContact) {
   EXPECT_NEAR(p.segments[3]->contact.time, 5.75, 1e-9);
 }
 
+TEST(Predict, AnEndMetSquarelyIsNamed) {
+  // 5 - 1 - 0.25 to the front, at the height of its upper end and of its lower one.
+  const Polygon box(kBox);
+  for (const double y : {0.5, -0.5}) {
+    const auto first = firstContact(box, {}, moving({5, y}, {-1, 0}, 0.25), 10);
+    ASSERT_TRUE(first);
+    EXPECT_NEAR(first->contact.time, 3.75, 1e-9);
+    EXPECT_EQ(first->contact.point, Vec2(1, y));
+    EXPECT_EQ(first->segment, y > 0 ? 1u : 0u);  // the lower one of the two that meet there
+    EXPECT_EQ(first->contact.feature, Feature::kEnd);
+  }
+}
+
+TEST(Predict, OneThatFallsFromAbove) {
+  // 2 m to fall at 1 m/s^2.
+  const Obstacle falls({{0, 2.75}, {0, 0}, {0, -1}}, 0.25);
+  const auto first = firstContact(Polygon(kBox), {}, falls, 10);
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(first->contact.time, 2, 1e-9);
+  EXPECT_EQ(first->segment, 2u);
+  EXPECT_NEAR(first->closing_speed, 2, 1e-9);
+}
+
 TEST(Predict, WithoutObstaclesNothingIsKnownToTouch) {
   const Prediction p = predicted(kBox, {});
   EXPECT_FALSE(p.first);

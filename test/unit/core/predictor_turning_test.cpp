@@ -52,6 +52,17 @@ TEST(Turning, ASideSweepsAPoint) {
   EXPECT_FALSE(predicted({{0, 0}, 0.5}, still(0.8, 0.8, 0)).first);  // beyond the corners
 }
 
+TEST(Turning, WhatItDrivesRoundIsNeverMet) {
+  // Ten rounds on a circle of 4 m; the upper side passes the post in its centre at 4 - 0.5 m.
+  const Obstacle post = still(0, 4, 3.4999);
+  const Twist round{{4, 0}, 1};
+  EXPECT_FALSE(firstContact(Polygon(kBox), round, post, 20 * M_PI));
+  const Prediction p = predicted(round, post, 20 * M_PI);
+  EXPECT_FALSE(p.first);
+  EXPECT_NEAR(p.closest->distance, 1e-4, 1e-6);
+  EXPECT_EQ(firstContact(Polygon(kBox), round, still(0, 4, 3.5001), 20 * M_PI)->contact.time, 0);
+}
+
 TEST(Turning, WhatStandsOnTheArcIsMetByTheFront) {
   // On its circle of 4 m about (0, 4) the footprint's origin is at the point after a quarter; the
   // front, 1 m ahead of it, is there by asin(1 / 4) earlier.
