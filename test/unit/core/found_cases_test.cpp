@@ -1,4 +1,5 @@
-// Cases that once broke the guarantee, as the random suites printed them.
+// Cases that once broke the guarantee, and some that decide what hardly ever has to be decided, as the
+// random suites printed them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -128,6 +129,37 @@ TEST(FoundCase, FromBetweenAVertexAndASide) {
             0};
   c.horizon = 0x1.ad3b3d0132c11p+2;
   expectFootprintGuarantee(c);
+}
+
+// The same of a side of which it is the first that is asked, sliding along it.
+TEST(FoundCase, AlongASideWithinRounding) {
+  const double x = 0x1.59c727d5e6157p+1, y = 0x1.2330520483717p+1;
+  FootprintCase c{};
+  c.footprint = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+  c.disc = {{{-0x1.72bac72a7cb5dp+1, -0x1.cbab2f4c82a64p+0}, {0, 0x1.891e9ccca0bc7p-3}, {0, 0}},
+            0x1.8f39f5496a05fp-3,
+            0};
+  c.horizon = 0x1.2b5382a6b3cadp+4;
+  expectFootprintGuarantee(c);
+}
+
+// A point that meets a vertex within rounding of one side, but not of the other: both say so.
+TEST(FoundCase, AVertexOfWhichOneSideIsTouched) {
+  FootprintCase c{};
+  c.footprint = {{0x1.eb7dc4e394dp-1, 0x1.7a0560347b744p-1},
+                 {-0x1.beaf24b0fa5d8p+0, 0x1.20e5d2a1e9596p+0},
+                 {-0x1.47bf9b867428cp-3, -0x1.37eb09452e81bp-1}};
+  c.twist.linear = {0x1.a6d6d5facf8f2p-4, 0x1.35db290d0e761p+0};
+  c.disc.motion = {{0x1.4b0aef63bce2cp+0, -0x1.19eec13c1f988p+1},
+                   {-0x1.645773fa41f2cp-5, 0x1.5f0b2c3e32651p+0},
+                   {0, 0}};
+  c.horizon = 0x1.832d0a905ac4dp+3;
+  expectFootprintGuarantee(c);
+  std::vector<std::optional<core::SegmentContact>> contacts;
+  firstContacts(core::Polygon(c.footprint), c.twist, core::ObstacleBatch({obstacleOf(c)}),
+                c.horizon, &contacts);
+  ASSERT_TRUE(contacts[1] && contacts[2]);
+  EXPECT_EQ(contacts[1]->contact.time, contacts[2]->contact.time);
 }
 
 // A vertex meets a line much longer than the footprint: what rounding leaves of the gap was taken
