@@ -5,6 +5,7 @@
 
 #include "closest_approach.hpp"
 #include "convex.hpp"
+#include "edge_contact.hpp"
 #include "narrow_phase.hpp"
 
 namespace footprint_collision_predictor::core {
@@ -45,7 +46,8 @@ bool surelyStaysAway(const BatchQuery& q, const Shape& shape, double until) {
   // What starts within the footprint may touch from there.
   const bool may_be_within = mayComeWithin(0, q.footprint, shape.disc, shape.disc.radius);
   if (shape.outline.size > 0 || may_be_within || !q.footprint.isConvex()) return false;
-  const ConvexAnswer answer = firstTouchOfConvex(q.footprint, q.twist, shape.disc, until);
+  const ConvexAnswer answer = firstTouchOfConvex(
+      q.footprint, q.twist, relativeTo(q.footprint.centroid(), shape.disc), until);
   return answer.is_certain && !answer.touch;
 }
 

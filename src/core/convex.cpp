@@ -21,8 +21,8 @@ bool isNearest(const Sides& sides, std::size_t i, const Vec2& p) {
   return sides.along(i, p) <= 0 && sides.along(before, p) >= sides.length[before];
 }
 
-/// A disc that moves straight, about the footprint's centroid, with half of what rounding may
-/// amount to as part of its radius; it grows with the way.
+/// A disc that moves straight, its position told from the footprint's centroid, with half of what
+/// rounding may amount to as part of its radius; it grows with the way.
 struct StraightDisc {
   Vec2 p, v;
   double reach, rate;
@@ -30,7 +30,7 @@ struct StraightDisc {
 };
 
 StraightDisc straightDisc(const Polygon& footprint, const Disc& disc) {
-  const Vec2 p = disc.motion.position - footprint.centroid();
+  const Vec2& p = disc.motion.position;
   const Vec2& v = disc.motion.velocity;
   const double size = p.lpNorm<1>() + disc.radius + 2 * footprint.boundingRadius();
   const double half = kRoundingAllowance / 2 * size;
@@ -78,10 +78,12 @@ Passage passageOf(const StraightDisc& disc, const Sides& sides, double horizon) 
   return passage;
 }
 
-std::size_t nearestVertex(const Polygon& footprint, const Vec2& p) {
-  const auto nearer = [&](const Vec2& a, const Vec2& b) {
-    return (a - p).squaredNorm() < (b - p).squaredNorm();
+/// \param from_centroid a place [m]
+std::size_t nearestVertex(const Polygon& footprint, const Vec2& from_centroid) {
+  const auto squareTo = [&](const Vec2& vertex) {
+    return ((vertex - footprint.centroid()) - from_centroid).squaredNorm();
   };
+  const auto nearer = [&](const Vec2& a, const Vec2& b) { return squareTo(a) < squareTo(b); };
   const std::vector<Vec2>& vertices = footprint.vertices();
   return static_cast<std::size_t>(std::min_element(vertices.begin(), vertices.end(), nearer) -
                                   vertices.begin());
@@ -104,7 +106,7 @@ ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until) 
               FirstTouch{contactAt(footprint.segment(i), along, passage.enter, disc.rounding), i}};
     vertex = along < 0 ? i : (i + 1) % footprint.size();
   } else {
-    vertex = nearestVertex(footprint, relative.motion.position);
+    vertex = nearestVertex(footprint, disc.p);
   }
   if (!isNearest(sides, vertex, disc.p + std::max(passage.enter, 0.0) * disc.v)) return kUncertain;
   const Edge& edge = footprint.segment(vertex);
@@ -167,14 +169,13 @@ ConvexAnswer advance(const Polygon& footprint, const Between& between, const Pat
 ConvexAnswer firstTouchOfConvex(const Polygon& footprint, const Twist& twist, const Disc& disc,
                                 double until) {
   const Motion& m = disc.motion;
-  const Motion local{m.position - footprint.centroid(), m.velocity, m.acceleration};
   if (twist.angular != 0) {
     const Twist at_centroid = atPoint(footprint.centroid(), twist);
-    return advance(footprint, PathOfTurningPoint(local, at_centroid),
-                   PathSeenFromTurningBody(local, at_centroid), disc, until, kTurningTolerance);
+    return advance(footprint, PathOfTurningPoint(m, at_centroid),
+                   PathSeenFromTurningBody(m, at_centroid), disc, until, kTurningTolerance);
   }
   if (m.acceleration != Vec2::Zero()) {
-    const StraightPath path(relativeMotion(local, twist));
+    const StraightPath path(relativeMotion(m, twist));
     return advance(footprint, path, path, disc, until, 0);
   }
   return clip(footprint, {relativeMotion(m, twist), disc.radius, disc.radius_rate}, until);

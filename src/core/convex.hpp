@@ -15,7 +15,8 @@ struct ConvexAnswer {
 };
 
 /// \param footprint that is convex
-/// \param disc over ground, that does not overlap the footprint now
+/// \param disc over ground, its position told from the centroid; it does not overlap the footprint
+///     now
 /// \param until [s] a touch later than that is not looked for
 ConvexAnswer firstTouchOfConvex(const Polygon& footprint, const Twist& twist, const Disc& disc,
                                 double until);

@@ -137,6 +137,7 @@ std::optional<Contact> NarrowPhase::contactWithOutline(const Edge& edge) const {
 namespace {
 
 /// A circle, or a vertex of an outline, against a convex footprint.
+/// \param disc its position told from the centroid
 ConvexAnswer askWhole(const Polygon& footprint, const Twist& twist, const Disc& disc,
                       double horizon, double until) {
   ConvexAnswer answer = firstTouchOfConvex(footprint, twist, disc, until);
@@ -148,6 +149,7 @@ ConvexAnswer askWhole(const Polygon& footprint, const Twist& twist, const Disc& 
 /// The same against an outline: its vertices against the whole, and the footprint's against it.
 ConvexAnswer askOutline(const Polygon& footprint, const Twist& twist, const Shape& shape,
                         double horizon, double until) {
+  const Disc about_centroid = relativeTo(footprint.centroid(), shape.disc);
   ConvexAnswer first{true, std::nullopt};
   const auto keep = [&](const std::optional<FirstTouch>& touch) {
     if (!touch || !(touch->contact.time <= until)) return;
@@ -156,7 +158,7 @@ ConvexAnswer askOutline(const Polygon& footprint, const Twist& twist, const Shap
     until = touch->contact.time;
   };
   const auto askVertex = [&](const Vec2& vertex) {
-    Disc disc = shape.disc;
+    Disc disc = about_centroid;
     disc.motion.position += vertex;
     const ConvexAnswer answer = askWhole(footprint, twist, disc, horizon, until);
     first.is_certain = first.is_certain && answer.is_certain;
@@ -180,9 +182,11 @@ ConvexAnswer askOutline(const Polygon& footprint, const Twist& twist, const Shap
 std::optional<FirstTouch> firstTouch(const Polygon& footprint, const Twist& twist,
                                      const Shape& shape, double horizon, double until) {
   if (footprint.isConvex()) {
-    const ConvexAnswer answer = shape.outline.size == 0
-                                    ? askWhole(footprint, twist, shape.disc, horizon, until)
-                                    : askOutline(footprint, twist, shape, horizon, until);
+    const ConvexAnswer answer =
+        shape.outline.size == 0
+            ? askWhole(footprint, twist, relativeTo(footprint.centroid(), shape.disc), horizon,
+                       until)
+            : askOutline(footprint, twist, shape, horizon, until);
     if (answer.is_certain) return answer.touch;
   }
   const NarrowPhase narrow(footprint, twist, shape, horizon);

@@ -30,7 +30,8 @@ TEST(FootprintExtremes, LargeAndSmallFastAndSlow) {
 TEST(FootprintExtremes, TurningLargeAndSmallFastAndSlow) {
   runFootprintSuite("footprint scaled, w", kCases, [](Random& random) {
     const FootprintCase c = anyKind(random, true);
-    return scaled(c, random.logUniform(1e-3, 1e2), random.logUniform(1e-2, 1e3));
+    const double length = random.logUniform(1e-3, 1e2);
+    return scaled(c, length, random.logUniform(std::max(1e-2, 1e-3 * length), 1e3));
   });
 }
 

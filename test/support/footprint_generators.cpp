@@ -28,6 +28,26 @@ std::vector<Vec2> anyRectangle(Random& random, double size) {
   return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 }
 
+/// Some 9 to 40 corners on an ellipse.
+std::vector<Vec2> anyRound(Random& random, double size) {
+  const int corners = random.integer(9, 40);
+  const double width = random.uniform(0.3, 1);
+  std::vector<Vec2> vertices;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * M_PI * (i + random.uniform(0, 0.5)) / corners;
+    vertices.push_back(size * Vec2{std::cos(angle), width * std::sin(angle)});
+  }
+  return vertices;
+}
+
+/// One more in the middle of a side: straight, but for rounding.
+void splitSide(std::vector<Vec2>* vertices, Random& random) {
+  const int last = static_cast<int>(vertices->size()) - 1;
+  const auto i = static_cast<std::size_t>(random.integer(0, last));
+  const Vec2 middle = ((*vertices)[i] + (*vertices)[(i + 1) % vertices->size()]) / 2;
+  vertices->insert(vertices->begin() + static_cast<std::ptrdiff_t>(i) + 1, middle);
+}
+
 Vec2 vec(const Point& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 Vec2 turned(const Vec2& v, double angle) { return Eigen::Rotation2Dd(angle) * v; }
 
@@ -98,8 +118,11 @@ double anyHair(Random& random) {
 
 std::vector<Vec2> anyFootprint(Random& random) {
   const double size = random.logUniform(0.1, 3);
-  std::vector<Vec2> vertices =
-      random.chance(0.3) ? anyRectangle(random, size) : anyCorners(random, size);
+  const double kind = random.uniform(0, 1);
+  std::vector<Vec2> vertices = kind < 0.3    ? anyRectangle(random, size)
+                               : kind < 0.35 ? anyRound(random, size)
+                                             : anyCorners(random, size);
+  if (random.chance(0.2)) splitSide(&vertices, random);
   const Vec2 middle =
       random.chance(0.5) ? Vec2(0, 0) : Vec2(random.uniform(0, 3) * random.direction());
   for (Vec2& v : vertices) v += middle;
