@@ -27,6 +27,10 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 /// v turned by +90 degrees.
 inline Vec2 leftNormal(const Vec2& v) { return {-v.y(), v.x()}; }
 
+/// Sign of the turn a -> b -> c: 1 left, -1 right, 0 when rounding cannot tell it from straight.
+/// What counts as straight is least where c is the middle one, which is the same turn.
+int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
+
 /// The point of the segment nearest to p. The ends are returned exactly, never merely nearly.
 Vec2 closestPoint(const Segment& segment, const Vec2& p);
 

@@ -258,7 +258,8 @@ namespace {
     own = atPoint(footprint.centroid(), twist).linear;
     acceleration += std::abs(twist.angular) * own.norm();
     own = Turn(twist.angular * horizon).displacement(own);
-    rounding += kGenerous * std::abs(twist.angular) * horizon * footprint.centroid().lpNorm<1>();
+    rounding += kGenerous * std::abs(twist.angular) * horizon * footprint.centroid().lpNorm<1>() +
+                kGenerous * horizon * own.norm() + kTurningTolerance;
   }
   const Vec2 v = m.velocity - own + 0.5 * horizon * m.acceleration;
   const double bulge = 0.125 * horizon * horizon * acceleration;

@@ -10,6 +10,7 @@
 
 #include "advancement.hpp"
 #include "convex_body.hpp"
+#include "edge_contact.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
@@ -102,7 +103,7 @@ template <typename Body>
 void lowerByDisc(const Part<Body>& part, const Twist& twist, const Disc& disc, const Vec2& vertex,
                  double horizon, ClosestApproach* closest) {
   const Motion& m = disc.motion;
-  const Motion local{(m.position - part.origin) + vertex, m.velocity, m.acceleration};
+  const Motion local{vertexFrom(part.origin, m.position, vertex), m.velocity, m.acceleration};
   const Twist at_origin = atPoint(part.origin, twist);
   const auto search = [&](const auto& path) {
     Search(part.body, part.extent, path, disc, horizon).lower(closest);
@@ -117,7 +118,7 @@ void lowerByDisc(const Part<Body>& part, const Twist& twist, const Disc& disc, c
 void lowerByVertex(const Vec2& vertex, const Twist& twist, const Edge& edge, const Disc& disc,
                    double horizon, ClosestApproach* closest) {
   const Motion& m = disc.motion;
-  const Motion seen_from{(m.position - vertex) + edge.start, m.velocity, m.acceleration};
+  const Motion seen_from{vertexFrom(vertex, m.position, edge.start), m.velocity, m.acceleration};
   const PathOfTurningPoint path(seen_from, atPoint(vertex, twist));
   Search(EdgeBody{fromStart(edge)}, edge.length, path, disc, horizon).lower(closest);
 }

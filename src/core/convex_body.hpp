@@ -18,7 +18,7 @@ class ConvexBody {
  public:
   explicit ConvexBody(const Sides& sides) : sides_(sides) {}
 
-  /// \param p outside
+  /// \param p outside, or within by no more than rounding
   Away awayFrom(const Vec2& p) const {
     std::size_t nearest = 0;
     double smallest = HUGE_VAL;
@@ -31,6 +31,7 @@ class ConvexBody {
         smallest = squares[i] < smallest ? squares[i] : smallest;
       }
     }
+    if (smallest == HUGE_VAL) return {{0, 0}, 0, outermost(p)};
     const double beyond = beyondEnd(sides_.along(nearest, p), sides_.length[nearest]);
     if (beyond == 0) return beside(nearest, p);
     const Vec2 vector =
@@ -59,6 +60,14 @@ class ConvexBody {
     return {sides_.across(side, p) * sides_.normal(side), 0, side};
   }
 
+  /// The side that a point within is least behind.
+  std::size_t outermost(const Vec2& p) const {
+    std::size_t side = 0;
+    for (std::size_t i = 1; i < sides_.offset.size(); ++i)
+      if (sides_.across(i, p) > sides_.across(side, p)) side = i;
+    return side;
+  }
+
   void squaredDistances(const Vec2& p, std::size_t begin, std::size_t count,
                         double* squares) const {
     const double* normal_x = sides_.normal_x.data() + begin;
@@ -71,7 +80,10 @@ class ConvexBody {
       const double across = normal_x[i] * px + normal_y[i] * py - offset[i];
       const double along = winding * (normal_x[i] * py - normal_y[i] * px) - start[i];
       const double beyond = beyondEnd(along, length[i]);
-      squares[i] = across * across + beyond * beyond;
+      // A side that has the point behind it, between its ends, is never the nearest one; but at an
+      // acute vertex rounding could tell it from the front no more.
+      const bool is_behind = (across < 0) & (beyond == 0);
+      squares[i] = is_behind ? HUGE_VAL : across * across + beyond * beyond;
     }
   }
 

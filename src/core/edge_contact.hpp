@@ -15,6 +15,15 @@ inline Disc relativeTo(const Vec2& point, const Disc& disc) {
           disc.radius_rate};
 }
 
+/// position + vertex as told from a point. Any two of the three may cancel: what rounding takes off
+/// the difference is added again (Knuth's TwoSum).
+inline Vec2 vertexFrom(const Vec2& point, const Vec2& position, const Vec2& vertex) {
+  const Vec2 difference = position - point;
+  const Vec2 subtracted = position - difference;
+  const Vec2 lost = (position - (difference + subtracted)) + (subtracted - point);
+  return (difference + vertex) + lost;
+}
+
 /// timeToCollision() of time_to_collision.hpp, for an edge that stands still.
 std::optional<Contact> timeToCollision(const Edge& edge, const Disc& disc, double horizon);
 /// The same for an edge of a body that moves.

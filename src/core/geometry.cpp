@@ -1,6 +1,7 @@
 #include "footprint_collision_predictor/geometry.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace footprint_collision_predictor::core {
 namespace {
@@ -18,6 +19,17 @@ double nearestFraction(const Vec2& direction, const Vec2& p) {
 Edge::Edge(const Segment& segment)
     : Segment(segment), tangent(1, 0), length((segment.end - segment.start).norm()) {
   if (length > 0) tangent = (segment.end - segment.start) / length;
+}
+
+int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  // The error bound is Shewchuk's, "Adaptive Precision Floating-Point Arithmetic", 1997.
+  const double left = (a.x() - c.x()) * (b.y() - c.y());
+  const double right = (a.y() - c.y()) * (b.x() - c.x());
+  constexpr double kBound = 4 * std::numeric_limits<double>::epsilon();
+  constexpr double kUnderflow = std::numeric_limits<double>::min();  // his bound leaves it out
+  const double turn = left - right;
+  if (std::abs(turn) <= kBound * (std::abs(left) + std::abs(right)) + kUnderflow) return 0;
+  return turn > 0 ? 1 : -1;
 }
 
 Vec2 closestPoint(const Segment& segment, const Vec2& p) {

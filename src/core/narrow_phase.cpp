@@ -120,7 +120,7 @@ std::optional<Contact> NarrowPhase::contactWithOutline(const Edge& edge) const {
   const Twist of_start = atPoint(edge.start, twist_);
   const auto touchVertex = [&](const Vec2& vertex) {
     Disc disc = shape_.disc;
-    disc.motion.position = (disc.motion.position - edge.start) + vertex;
+    disc.motion.position = vertexFrom(edge.start, shape_.disc.motion.position, vertex);
     auto contact = timeToCollision(local, of_start, disc, horizon_);
     if (contact) contact->point = pointOf(edge, contact->feature, contact->point);
     keepEarlier(contact, &earliest);
@@ -149,7 +149,6 @@ ConvexAnswer askWhole(const Polygon& footprint, const Twist& twist, const Disc& 
 /// The same against an outline: its vertices against the whole, and the footprint's against it.
 ConvexAnswer askOutline(const Polygon& footprint, const Twist& twist, const Shape& shape,
                         double horizon, double until) {
-  const Disc about_centroid = relativeTo(footprint.centroid(), shape.disc);
   ConvexAnswer first{true, std::nullopt};
   const auto keep = [&](const std::optional<FirstTouch>& touch) {
     if (!touch || !(touch->contact.time <= until)) return;
@@ -158,8 +157,8 @@ ConvexAnswer askOutline(const Polygon& footprint, const Twist& twist, const Shap
     until = touch->contact.time;
   };
   const auto askVertex = [&](const Vec2& vertex) {
-    Disc disc = about_centroid;
-    disc.motion.position += vertex;
+    Disc disc = shape.disc;
+    disc.motion.position = vertexFrom(footprint.centroid(), shape.disc.motion.position, vertex);
     const ConvexAnswer answer = askWhole(footprint, twist, disc, horizon, until);
     first.is_certain = first.is_certain && answer.is_certain;
     keep(answer.touch);

@@ -49,6 +49,11 @@ class Turn {
   double sine_ = 0, cosine_ = 1;
 };
 
+/// No less than how far [m] from its start a point with that twist, which turns, gets until t.
+inline double longestChord(const Twist& twist, double t) {
+  return std::min(t, 2 / std::abs(twist.angular)) * twist.linear.lpNorm<1>();
+}
+
 /// Constant acceleration, held for ever: as seen from a body that does not turn.
 class StraightPath {
  public:
@@ -98,9 +103,10 @@ class PathSeenFromTurningBody {
     return state;
   }
   double sizeAt(double t) const {
-    const double path = motion_.position.lpNorm<1>() +
-                        t * (motion_.velocity.lpNorm<1>() + body_.linear.lpNorm<1>() +
-                             0.5 * t * motion_.acceleration.lpNorm<1>());
+    const double path =
+        motion_.position.lpNorm<1>() +
+        t * (motion_.velocity.lpNorm<1>() + 0.5 * t * motion_.acceleration.lpNorm<1>()) +
+        longestChord(body_, t);
     return path * (1 + std::abs(body_.angular) * t);  // the angle itself is rounded
   }
   /// From the state's own acceleration and a bound on how fast it changes, or from a bound on the
@@ -164,9 +170,8 @@ class PathOfTurningPoint {
   }
   double sizeAt(double t) const {
     return seen_from_.position.lpNorm<1>() +
-           t * (seen_from_.velocity.lpNorm<1>() +
-                point_.linear.lpNorm<1>() * (1 + std::abs(point_.angular) * t) +
-                0.5 * t * seen_from_.acceleration.lpNorm<1>());
+           t * (seen_from_.velocity.lpNorm<1>() + 0.5 * t * seen_from_.acceleration.lpNorm<1>()) +
+           longestChord(point_, t) * (1 + std::abs(point_.angular) * t);
   }
   double lowestAcceleration(const PathState& state, const Vec2& direction, double window) const {
     const double jerk = std::abs(point_.angular) * bend_;

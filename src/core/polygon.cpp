@@ -2,23 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace footprint_collision_predictor::core {
 namespace {
-
-/// Sign of the turn a -> b -> c: 1 left, -1 right, 0 when rounding cannot tell it from straight
-/// (the error bound is Shewchuk's, "Adaptive Precision Floating-Point Arithmetic", 1997).
-int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const double left = (a.x() - c.x()) * (b.y() - c.y());
-  const double right = (a.y() - c.y()) * (b.x() - c.x());
-  constexpr double kBound = 4 * std::numeric_limits<double>::epsilon();
-  constexpr double kUnderflow = std::numeric_limits<double>::min();  // his bound leaves it out
-  const double turn = left - right;
-  if (std::abs(turn) <= kBound * (std::abs(left) + std::abs(right)) + kUnderflow) return 0;
-  return turn > 0 ? 1 : -1;
-}
 
 bool overlap(double a, double b, double c, double d) {
   return std::max(a, b) >= std::min(c, d) && std::max(c, d) >= std::min(a, b);
@@ -32,7 +19,7 @@ bool meet(const Segment& s, const Segment& t) {
 }
 
 bool foldsBack(const Vec2& before, const Vec2& vertex, const Vec2& after) {
-  return orientation(before, vertex, after) == 0 && (before - vertex).dot(after - vertex) > 0;
+  return orientation(after, before, vertex) == 0 && (before - vertex).dot(after - vertex) > 0;
 }
 
 template <typename... Parts>
@@ -125,7 +112,7 @@ std::vector<Edge> edgesOf(const std::vector<Vec2>& vertices) {
 bool turnsOneWay(const std::vector<Vec2>& vertices, int way) {
   const std::size_t n = vertices.size();
   for (std::size_t i = 0; i < n; ++i)
-    if (orientation(vertices[i], vertices[(i + 1) % n], vertices[(i + 2) % n]) == -way)
+    if (orientation(vertices[(i + 2) % n], vertices[i], vertices[(i + 1) % n]) == -way)
       return false;
   return true;
 }

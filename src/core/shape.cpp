@@ -16,13 +16,15 @@ Edge shifted(const Edge& edge, const Vec2& by) {
   return moved;
 }
 
-/// Where two edges cross, each between its ends.
+bool areOnBothSides(const Edge& edge, const Vec2& p, const Vec2& q) {
+  return orientation(edge.start, edge.end, p) * orientation(edge.start, edge.end, q) < 0;
+}
+
+/// Where two edges cross, each between its ends: beyond doubt, for edges in line do not.
 std::optional<Vec2> crossing(const Edge& a, const Edge& b) {
-  const Vec2 along = a.end - a.start;
-  const double start = cross(along, b.start - a.start), end = cross(along, b.end - a.start);
-  const Vec2 other = b.end - b.start;
+  if (!areOnBothSides(a, b.start, b.end) || !areOnBothSides(b, a.start, a.end)) return std::nullopt;
+  const Vec2 along = a.end - a.start, other = b.end - b.start;
   const double left = cross(other, a.start - b.start), right = cross(other, a.end - b.start);
-  if ((start > 0) == (end > 0) || (left > 0) == (right > 0)) return std::nullopt;
   return Vec2(a.start + left / (left - right) * along);
 }
 

@@ -20,11 +20,12 @@ SweptFootprint::SweptFootprint(const Polygon& footprint, const Twist& twist, dou
     ++count_;
   const double duration = horizon / static_cast<double>(count_);
   const double own_bulge = acceleration * duration * duration / 8;
+  const double tolerance = turns_ ? kTurningTolerance : 0;
   const Turn turn(twist.angular * duration);
   Vec2 centre(0, 0), velocity = turn.displacement(centroid.linear);
   for (std::size_t i = 0; i < count_; ++i) {
     const double start = static_cast<double>(i) * duration;
-    const double rounding = kGenerous * (radius + (start + duration) * speed);
+    const double rounding = kGenerous * (radius + (start + duration) * speed) + tolerance;
     windows_[i] = {start, duration, centre, velocity, radius + own_bulge + rounding};
     centre += duration * velocity;
     velocity = turn(velocity);

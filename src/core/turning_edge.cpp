@@ -58,8 +58,8 @@ std::optional<Contact> timeToCollision(const Edge& edge, const Twist& twist, con
 std::optional<double> timeToTouchPoint(const Vec2& point, const Twist& twist, const Edge& edge,
                                        const Disc& carrier, double horizon) {
   const Twist of_point = atPoint(point, twist);
-  const Motion seen_from{(carrier.motion.position - point) + edge.start, carrier.motion.velocity,
-                         carrier.motion.acceleration};
+  const Motion seen_from{vertexFrom(point, carrier.motion.position, edge.start),
+                         carrier.motion.velocity, carrier.motion.acceleration};
   Disc disc{{-seen_from.position, of_point.linear - seen_from.velocity, -seen_from.acceleration},
             carrier.radius,
             carrier.radius_rate};
