@@ -1,5 +1,5 @@
-// Cases that once broke the guarantee, and some that decide what hardly ever has to be decided, as the
-// random suites printed them.
+// Cases that once broke the guarantee, and some that decide what hardly ever has to be decided, as
+// the random suites printed them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -160,6 +160,98 @@ TEST(FoundCase, AVertexOfWhichOneSideIsTouched) {
                 c.horizon, &contacts);
   ASSERT_TRUE(contacts[1] && contacts[2]);
   EXPECT_EQ(contacts[1]->contact.time, contacts[2]->contact.time);
+}
+
+// A wall in line with a side, 1.1 m away: rounding had them cross.
+TEST(FoundCase, AWallInLineWithASide) {
+  FootprintCase c{};
+  c.footprint = {{0x1.2183e8f3edb62p+1, -0x1.f2bb2560883f1p-1},
+                 {0x1.092d3cfd07ea6p+1, 0x1.f52806e13548p-1},
+                 {0x1.ae3d88cab886p-3, 0x1.985a5f98de2fdp-1},
+                 {0x1.99d4241c8aa0ep-2, -0x1.27c466546fabap+0}};
+  c.disc.motion = {{0x1.64e01a0923962p-3, 0x1.2b395d4e80aafp-3}, {0, 0}, {0, 0}};
+  c.outline = {{0x1.ca678068bb794p+0, 0x1.edf87257b85a2p+0},
+               {0x1.98044434a65c8p+0, 0x1.f9bdb947af549p+1}};
+  c.horizon = 1;
+  expectFootprintGuarantee(c);
+}
+
+// The tiny edge turns inwards, by much: that is not convex.
+TEST(FoundCase, ATinyEdgeInAnInnerCorner) {
+  FootprintCase c{};
+  c.footprint = {{-1, -1}, {0, 0}, {1e-17, 1e-16}, {1, 1}, {-1, 1}};
+  c.disc.motion = {{0.5, 0}, {0.06, 0.5}, {0, 0}};
+  c.horizon = 10;
+  expectFootprintGuarantee(c);
+}
+
+// At an acute vertex the side behind seemed to be as near as the one in front.
+TEST(FoundCase, BesideAnAcuteVertex) {
+  FootprintCase c{};
+  c.footprint = {{0, 0},
+                 {0x1.282c63284cd0bp-1, 0x1.a1a4853bb8bf8p-1},
+                 {0x1.27c16ed47c795p-1, 0x1.a1f0498ff1ae4p-1}};
+  c.disc.motion = {{-0x1.3c6e11789a844p-43, 0x1.c05204e87e396p-44},
+                   {0x1.27f6e94d1b486p-1, 0x1.a1ca672e126cdp-1},
+                   {0x1.2de9cba605c3fp-7, 0x1.5c435f423ff09p-8}};
+  c.horizon = 2;
+  expectFootprintGuarantee(c);
+}
+
+TEST(FoundCase, BesideAnAcuteVertexFromAfar) {
+  FootprintCase c{};
+  c.footprint = {{0, 0},
+                 {-0x1.08f12e4e4889dp+1, 0x1.d1a5267b799b8p+0},
+                 {-0x1.08f135a8801f5p+1, 0x1.d1a515bfb541fp+0}};
+  c.disc.motion = {{0x1.1ec4d3058152ap+2, -0x1.f801687853b12p+1},
+                   {-0x1.dd7512e38809ap-2, 0x1.a392bdb9858b2p-2},
+                   {0x1.5b299a3bc2a6bp-25, -0x1.70165fcdbe33p-28}};
+  c.horizon = 0x1.0b2453e26d4a8p+4;
+  expectFootprintGuarantee(c);
+}
+
+// A vertex of the outline added to the obstacle's position far from the origin was rounded there.
+TEST(FoundCase, AnOutlineFarFromTheOrigin) {
+  FootprintCase c{};
+  c.footprint = {{0x1.b18fb349f2f82p+18, -0x1.0307bf1d4b2edp+19},
+                 {0x1.b18fbdfafdbd9p+18, -0x1.0307595343eedp+19},
+                 {0x1.b18fbdf8aca28p+18, -0x1.03075953345d6p+19}};
+  c.disc.motion = {{0x1.b18fadfe66db3p+18, -0x1.03075ad164b9p+19},
+                   {0x1.9b31b54fe5cc4p-10, 0x1.e88cc7a3f80d4p-6},
+                   {0, 0}};
+  c.outline = {{0, 0}, {0x1.f608deea40f2dp-3, -0x1.41e36a4d7b8cdp-5}};
+  c.horizon = 0x1.491640eb90e4dp+2;
+  expectFootprintGuarantee(c);
+}
+
+TEST(FoundCase, AnOutlineFarFromItsOwnPosition) {
+  const core::Polygon footprint({{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}});
+  const double at = 99999999.3, to_wall = 99999996;
+  const core::Obstacle wall({{at, 0}, {-1, 0}, {0, 0}}, 0, 0, {{-to_wall, -1}, {-to_wall, 1}});
+  const auto first = firstContact(footprint, {}, wall, 10);
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(first->contact.time, (at - to_wall) - 0.1, 1e-12);
+}
+
+// Both move on fast together, while the footprint hardly turns.
+TEST(FoundCase, SideBySideAndHardlyTurning) {
+  const double r = 0x1.08b9016453029p-2;
+  FootprintCase c{};
+  c.footprint = {{-r, -r}, {r, -r}, {r, r}, {-r, r}};
+  c.twist = {{0x1.9a7abc44af8bep+10, 0x1.b609b519fa5dfp+10}, -0x1.5dad8fe08ae51p-56};
+  c.disc = {
+      {{-0x1.0c9cde2dp-2, 0x1.0c6ec5bap-2}, {0x1.9a7abc48a6d76p+10, 0x1.b609b51df1a7cp+10}, {0, 0}},
+      0x1.57f1217b7c00ap-8,
+      0};
+  c.horizon = 0x1.73ed4fdbfdaf6p+7;
+  expectFootprintGuarantee(c);
+}
+
+// Thousands of rounds about a pillar, 1e-5 m from it: the allowance for rounding must not grow so.
+TEST(FoundCase, ManyRoundsAboutAPillar) {
+  const core::Polygon footprint({{-0.5, -2}, {0.5, -2}, {0.5, -1}, {-0.5, -1}});
+  const core::Obstacle pillar({{0, 0}, {0, 0}, {0, 0}}, 1 - 1e-5);
+  EXPECT_FALSE(firstContact(footprint, {{0, 0}, 10}, pillar, 3600));
 }
 
 // A vertex meets a line much longer than the footprint: what rounding leaves of the gap was taken
