@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "edge_contact.hpp"
 #include "footprint_collision_predictor/geometry.hpp"
 #include "path.hpp"
 
@@ -38,14 +39,6 @@ struct Away {
   double beyond;
   std::size_t segment;  ///< the one it is on
 };
-
-/// The same edge with its start at the origin.
-inline Edge fromStart(const Edge& edge) {
-  Edge local = edge;
-  local.start.setZero();
-  local.end = edge.end - edge.start;
-  return local;
-}
 
 /// A single edge as a body, with its start at the origin.
 struct EdgeBody {

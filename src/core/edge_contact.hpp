@@ -15,6 +15,14 @@ inline Disc relativeTo(const Vec2& point, const Disc& disc) {
           disc.radius_rate};
 }
 
+/// The same edge with its start at the origin.
+inline Edge fromStart(const Edge& edge) {
+  Edge local = edge;
+  local.start.setZero();
+  local.end = edge.end - edge.start;
+  return local;
+}
+
 /// position + vertex as told from a point. Any two of the three may cancel: what rounding takes off
 /// the difference is added again (Knuth's TwoSum).
 inline Vec2 vertexFrom(const Vec2& point, const Vec2& position, const Vec2& vertex) {

@@ -109,7 +109,7 @@ std::optional<Contact> NarrowPhase::contactOf(std::size_t i, double until) const
 /// The first contact of two chains always involves a vertex of one of them: the outline's against
 /// the edge, or the edge's against the outline. Only chains that cross at once need neither.
 std::optional<Contact> NarrowPhase::contactWithOutline(const Edge& edge) const {
-  if (const auto point = crossingNow(edge, shape_)) return Contact{0, Feature::kInside, *point};
+  if (const auto point = touchNow(edge, shape_)) return Contact{0, featureOf(edge, *point), *point};
   std::optional<Contact> earliest;
   const auto touchOutline = [&](const Vec2& vertex, Feature feature, const Edge& other) {
     const auto time = timeToTouchPoint(vertex, twist_, other, shape_.disc, horizon_);

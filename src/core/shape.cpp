@@ -4,17 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "edge_contact.hpp"
 #include "path.hpp"
+#include "rounding.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
-
-Edge shifted(const Edge& edge, const Vec2& by) {
-  Edge moved = edge;
-  moved.start += by;
-  moved.end += by;
-  return moved;
-}
 
 bool areOnBothSides(const Edge& edge, const Vec2& p, const Vec2& q) {
   return orientation(edge.start, edge.end, p) * orientation(edge.start, edge.end, q) < 0;
@@ -73,14 +68,18 @@ struct Near {
 Near nearTo(const Edge& edge, const Shape& shape) {
   const Vec2& centre = shape.disc.motion.position;
   if (shape.outline.size == 0) return {closestPoint(edge, centre), distance(edge, centre)};
-  // From the obstacle, so that nothing is lost far from the origin.
-  const Edge local = shifted(edge, -centre);
+  // From the edge's start, so that nothing is lost far from the origin.
+  const Edge local = fromStart(edge);
   std::optional<Near> nearest;
-  for (const Edge& other : shape.outline) {
-    if (const auto point = crossing(local, other)) return {*point + centre, 0};
-    const Vec2 point = nearestPoint(local, other);
-    const double d = distance(other, point);
-    if (!nearest || d < nearest->distance) nearest = Near{point + centre, d};
+  for (const Edge& of_outline : shape.outline) {
+    Edge other = of_outline;
+    other.start = vertexFrom(edge.start, centre, of_outline.start);
+    other.end = vertexFrom(edge.start, centre, of_outline.end);
+    const auto cross_at = crossing(local, other);
+    const Vec2 point = cross_at ? *cross_at : nearestPoint(local, other);
+    const double d = cross_at ? 0 : distance(other, point);
+    if (nearest && nearest->distance <= d) continue;
+    nearest = Near{point == local.end ? edge.end : Vec2(edge.start + point), d};
   }
   return *nearest;
 }
@@ -119,11 +118,12 @@ double gapNow(const Edge& edge, const Shape& shape) {
   return nearTo(edge, shape).distance - shape.disc.radius;
 }
 
-std::optional<Vec2> crossingNow(const Edge& edge, const Shape& shape) {
-  const Vec2& centre = shape.disc.motion.position;
-  for (const Edge& other : shape.outline)
-    if (const auto point = crossing(shifted(edge, -centre), other)) return Vec2(*point + centre);
-  return std::nullopt;
+std::optional<Vec2> touchNow(const Edge& edge, const Shape& shape) {
+  const Near nearest = nearTo(edge, shape);
+  double size = edge.length + shape.disc.radius;
+  for (const Edge& other : shape.outline) size = std::max(size, other.length);
+  const bool touches = nearest.distance <= shape.disc.radius + kRoundingAllowance * size;
+  return touches ? std::make_optional(nearest.point) : std::nullopt;
 }
 
 Vec2 nearestOf(const Shape& shape, const Twist& footprint, double dt, const Vec2& p,

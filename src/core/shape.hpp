@@ -41,8 +41,8 @@ Nearest nearestNow(const Polygon& footprint, const Shape& shape);
 /// Distance [m] of an edge to the obstacle now, minus the radius.
 double gapNow(const Edge& edge, const Shape& shape);
 
-/// Where an edge of the footprint and the outline cross each other now; nothing for a circle.
-std::optional<Vec2> crossingNow(const Edge& edge, const Shape& shape);
+/// Where an edge of the footprint and the obstacle touch or cross now, but for rounding.
+std::optional<Vec2> touchNow(const Edge& edge, const Shape& shape);
 
 /// The point of the disc's centre or of the outline that is nearest to p, `dt` [s] later, in the
 /// frame of a footprint that has moved on for so long.

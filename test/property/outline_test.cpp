@@ -15,6 +15,18 @@ void run(const std::string& name, const SuiteSize& size, Moves moves) {
                     [&](Random& random) { return grazingFootprint(random, moves); });
 }
 
+TEST(Outline, InLineWithASide) {
+  runFootprintSuite("outline in line", {5000, 500000}, inLineWithASide);
+}
+
+TEST(Outline, FarFromItsOwnPosition) {
+  runFootprintSuite("outline told from afar", {1000, 100000}, [](Random& random) {
+    const Moves moves{random.chance(0.5), random.chance(0.3), random.chance(0.5), true};
+    const Vec2 by = random.logUniform(1, 1e5) * random.direction();
+    return outlineToldFromAfar(anyFootprintCase(random, moves), by);
+  });
+}
+
 TEST(Outline, Straight) { run("straight", {2000, 200000}, {}); }
 TEST(Outline, Accelerating) { run("a", {2000, 200000}, {true}); }
 TEST(Outline, Growing) { run("r", {2000, 200000}, {false, true}); }

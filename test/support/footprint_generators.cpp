@@ -40,12 +40,23 @@ std::vector<Vec2> anyRound(Random& random, double size) {
   return vertices;
 }
 
-/// One more in the middle of a side: straight, but for rounding.
+/// A triangle that is as acute as 1e-6 rad.
+std::vector<Vec2> anySliver(Random& random, double size) {
+  const double angle = random.angle();
+  const double apex = random.logUniform(1e-6, 1e-1);
+  return {{0, 0},
+          size * Vec2{std::cos(angle), std::sin(angle)},
+          random.uniform(0.5, 1) * size * Vec2{std::cos(angle + apex), std::sin(angle + apex)}};
+}
+
+/// One more vertex, in the middle of a side or very near to a corner: straight, but for rounding.
 void splitSide(std::vector<Vec2>* vertices, Random& random) {
   const int last = static_cast<int>(vertices->size()) - 1;
   const auto i = static_cast<std::size_t>(random.integer(0, last));
-  const Vec2 middle = ((*vertices)[i] + (*vertices)[(i + 1) % vertices->size()]) / 2;
-  vertices->insert(vertices->begin() + static_cast<std::ptrdiff_t>(i) + 1, middle);
+  const double share = random.chance(0.5) ? 0.5 : random.logUniform(1e-9, 1e-2);
+  const Vec2 start = (*vertices)[i], end = (*vertices)[(i + 1) % vertices->size()];
+  vertices->insert(vertices->begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                   start + share * (end - start));
 }
 
 Vec2 vec(const Point& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
@@ -121,6 +132,7 @@ std::vector<Vec2> anyFootprint(Random& random) {
   const double kind = random.uniform(0, 1);
   std::vector<Vec2> vertices = kind < 0.3    ? anyRectangle(random, size)
                                : kind < 0.35 ? anyRound(random, size)
+                               : kind < 0.45 ? anySliver(random, size)
                                              : anyCorners(random, size);
   if (random.chance(0.2)) splitSide(&vertices, random);
   const Vec2 middle =
@@ -198,6 +210,41 @@ FootprintCase sinkingFootprint(Random& random, const Moves& moves) {
   c.disc.motion = motionThrough(way.point + c.disc.radiusAt(when) * outwards, way.point, velocity,
                                 when, c.twist, acceleration);
   return c;
+}
+
+FootprintCase inLineWithASide(Random& random) {
+  FootprintCase c = anyShapes(random, {});
+  if (random.chance(0.7)) c.disc.radius = 0;
+  const core::Polygon footprint(c.footprint);
+  const int last = static_cast<int>(footprint.size()) - 1;
+  const core::Edge& side = footprint.segment(static_cast<std::size_t>(random.integer(0, last)));
+  const auto onLine = [&](double share) {
+    return Vec2(side.start + share * side.length * side.tangent);
+  };
+  const double share = random.uniform(-4, 4);
+  const Vec2 position = random.uniform(0, 3) * random.direction();
+  c.outline = {onLine(share) - position, onLine(share + random.uniform(0.1, 3)) - position};
+  if (random.chance(0.3)) c.outline.push_back(random.uniform(1, 3) * random.direction());
+  const double speed = random.chance(0.5) ? 0 : random.sign() * random.logUniform(1e-3, 1);
+  c.twist.linear.setZero();
+  c.disc.motion = {position, speed * side.tangent, {0, 0}};
+  return c;
+}
+
+bool isFootprint(const std::vector<Vec2>& vertices) {
+  try {
+    core::Polygon{vertices};
+    return true;
+  } catch (const core::InvalidPolygon&) {
+    return false;
+  }
+}
+
+FootprintCase outlineToldFromAfar(const FootprintCase& c, const Vec2& by) {
+  FootprintCase other = c;
+  other.disc.motion.position += by;
+  for (Vec2& v : other.outline) v -= by;
+  return other;
 }
 
 FootprintCase scaled(const FootprintCase& c, double length, double time) {

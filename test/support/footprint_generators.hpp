@@ -36,6 +36,16 @@ FootprintCase grazingFootprint(Random& random, const Moves& moves);
 /// has no outline.
 FootprintCase sinkingFootprint(Random& random, const Moves& moves);
 
+/// An edge of the outline is on one line with a side, but for rounding, and overlaps it or not; it
+/// stands or slides along it.
+FootprintCase inLineWithASide(Random& random);
+
+/// Whether it is one that Polygon takes.
+bool isFootprint(const std::vector<Vec2>& vertices);
+
+/// The same outline elsewhere in the obstacle's frame, and the obstacle's position so much off.
+FootprintCase outlineToldFromAfar(const FootprintCase& c, const Vec2& by);
+
 /// The same with lengths and times so many times as large, and what follows from these.
 FootprintCase scaled(const FootprintCase& c, double length, double time);
 
