@@ -15,16 +15,20 @@ bool areOnBothSides(const Edge& edge, const Vec2& p, const Vec2& q) {
   return orientation(edge.start, edge.end, p) * orientation(edge.start, edge.end, q) < 0;
 }
 
-/// Where two edges cross, each between its ends: beyond doubt, for edges in line do not.
-std::optional<Vec2> crossing(const Edge& a, const Edge& b) {
-  if (!areOnBothSides(a, b.start, b.end) || !areOnBothSides(b, a.start, a.end)) return std::nullopt;
-  const Vec2 along = a.end - a.start, other = b.end - b.start;
-  const double left = cross(other, a.start - b.start), right = cross(other, a.end - b.start);
-  return Vec2(a.start + left / (left - right) * along);
+/// Whether two edges cross, each between its ends, beyond doubt: edges in line do not.
+bool doCross(const Edge& a, const Edge& b) {
+  return areOnBothSides(a, b.start, b.end) && areOnBothSides(b, a.start, a.end);
 }
 
-/// The point of `edge` that is nearest to another edge which does not cross it.
-Vec2 nearestPoint(const Edge& edge, const Edge& other) {
+/// Of edges that cross. Those nearly in line leave open where, so it may be off their ends.
+Vec2 crossing(const Edge& a, const Edge& b) {
+  const Vec2 other = b.end - b.start;
+  const double left = cross(other, a.start - b.start), right = cross(other, a.end - b.start);
+  return a.start + left / (left - right) * (a.end - a.start);
+}
+
+/// The point of `edge` that is nearest to another edge.
+Vec2 nearestPoint(const Edge& edge, const Edge& other, bool do_cross) {
   Vec2 nearest = edge.start;
   double smallest = distance(other, edge.start);
   const auto take = [&](const Vec2& p, double d) {
@@ -35,6 +39,9 @@ Vec2 nearestPoint(const Edge& edge, const Edge& other) {
   };
   take(edge.end, distance(other, edge.end));
   for (const Vec2& p : {other.start, other.end}) take(closestPoint(edge, p), distance(edge, p));
+  if (!do_cross) return nearest;
+  const Vec2 p = crossing(edge, other);
+  take(p, distance(other, p));
   return nearest;
 }
 
@@ -75,9 +82,9 @@ Near nearTo(const Edge& edge, const Shape& shape) {
     Edge other = of_outline;
     other.start = vertexFrom(edge.start, centre, of_outline.start);
     other.end = vertexFrom(edge.start, centre, of_outline.end);
-    const auto cross_at = crossing(local, other);
-    const Vec2 point = cross_at ? *cross_at : nearestPoint(local, other);
-    const double d = cross_at ? 0 : distance(other, point);
+    const bool do_cross = doCross(local, other);
+    const Vec2 point = nearestPoint(local, other, do_cross);
+    const double d = do_cross ? 0 : distance(other, point);
     if (nearest && nearest->distance <= d) continue;
     nearest = Near{point == local.end ? edge.end : Vec2(edge.start + point), d};
   }
