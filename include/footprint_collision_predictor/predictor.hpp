@@ -40,7 +40,8 @@ struct SegmentContact {
 
 /// First contact of the footprint with any of the obstacles: what firstContact() gives for the one
 /// that comes first. Among obstacles that touch at the same time, the one with the smaller gap now,
-/// then the lower index.
+/// then the lower index. Times that differ by no more than the guarantee leaves open may be told
+/// either way round.
 std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
                                              const ObstacleBatch& obstacles, double horizon);
 
