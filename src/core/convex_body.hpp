@@ -32,16 +32,24 @@ class ConvexBody {
       }
     }
     if (smallest == HUGE_VAL) return {{0, 0}, 0, outermost(p)};
-    const double beyond = beyondEnd(sides_.along(nearest, p), sides_.length[nearest]);
-    if (beyond == 0) return beside(nearest, p);
-    const Vec2 vector =
-        sides_.across(nearest, p) * sides_.normal(nearest) + beyond * direction(nearest);
-    // How far it leads beyond the side that meets this one there.
+    // Where rounding has chosen a neighbour, of a short side even a farther one, it leads on from
+    // there.
     const std::size_t n = sides_.offset.size();
-    const std::size_t other = (nearest + (beyond < 0 ? n - 1 : 1)) % n;
-    const double beyond_other = std::copysign(1.0, -beyond) * direction(other).dot(vector);
-    if (beyond_other <= 0) return beside(other, p);
-    return {vector, std::min(std::abs(beyond), beyond_other), nearest};
+    std::size_t previous = n;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double beyond = beyondEnd(sides_.along(nearest, p), sides_.length[nearest]);
+      if (beyond == 0) break;
+      const Vec2 vector =
+          sides_.across(nearest, p) * sides_.normal(nearest) + beyond * direction(nearest);
+      // How far it leads beyond the side that meets this one there.
+      const std::size_t other = (nearest + (beyond < 0 ? n - 1 : 1)) % n;
+      const double beyond_other = std::copysign(1.0, -beyond) * direction(other).dot(vector);
+      if (beyond_other > 0) return {vector, std::min(std::abs(beyond), beyond_other), nearest};
+      if (other == previous) break;  // square to both, but for rounding
+      previous = nearest;
+      nearest = other;
+    }
+    return {sides_.across(nearest, p) * sides_.normal(nearest), 0, nearest};
   }
 
  private:
@@ -53,11 +61,6 @@ class ConvexBody {
 
   Vec2 direction(std::size_t side) const {
     return sides_.winding * leftNormal(sides_.normal(side));
-  }
-
-  /// Of a point beside a side, between its ends.
-  Away beside(std::size_t side, const Vec2& p) const {
-    return {sides_.across(side, p) * sides_.normal(side), 0, side};
   }
 
   /// The side that a point within is least behind.

@@ -51,6 +51,17 @@ TEST(ConvexBody, OfManySides) {
   }
 }
 
+TEST(ConvexBody, OfASliverWithATinySide) {
+  // Its tiny side is far below what rounding leaves of a point's place: all but a line.
+  const std::vector<Vec2> sliver{{0, 3e-323}, {-3e-323, -34}, {-std::ldexp(1, -62), 0}};
+  const Segment line{{0, 0}, {0, -34}};
+  for (int i = 0; i < 720; ++i) {
+    const double angle = (i + 0.3) * M_PI / 360;
+    const Vec2 p = 65 * Vec2(std::cos(angle), std::sin(angle));
+    EXPECT_NEAR((away(sliver, p).vector - (p - closestPoint(line, p))).norm(), 0, 1e-12) << i;
+  }
+}
+
 TEST(ConvexBody, WithinNamesTheSideThatIsNext) {
   expectAway(away(kBox, {1 - 1e-9, 0}), {0, 0}, 0, 1);
   expectAway(away(kBox, {-1 + 1e-9, 0.2}), {0, 0}, 0, 3);
