@@ -31,10 +31,13 @@ TEST(ConvexBody, BesideASide) {
 }
 
 TEST(ConvexBody, BeyondAVertex) {
-  const Away a = away(kBox, {4, 1.5});  // 3 m and 1 m from the upper front corner
-  EXPECT_NEAR((a.vector - Vec2(3, 1)).norm(), 0, 1e-15);
-  EXPECT_NEAR(a.beyond, 1, 1e-15);
-  EXPECT_TRUE(a.segment == 1 || a.segment == 2);
+  // From the upper front corner, farther along one of the sides or along the other.
+  for (const Vec2& from : {Vec2(3, 1), Vec2(1, 3)}) {
+    const Away a = away(kBox, Vec2(1, 0.5) + from);
+    EXPECT_NEAR((a.vector - from).norm(), 0, 1e-15);
+    EXPECT_NEAR(a.beyond, 1, 1e-15);
+    EXPECT_TRUE(a.segment == 1 || a.segment == 2);
+  }
 }
 
 TEST(ConvexBody, OfManySides) {
