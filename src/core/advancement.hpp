@@ -11,7 +11,6 @@
 #include <limits>
 #include <optional>
 
-#include "edge_contact.hpp"
 #include "footprint_collision_predictor/geometry.hpp"
 #include "path.hpp"
 
@@ -137,9 +136,10 @@ struct Advance {
   std::size_t segment;  ///< of the body, where it was nearest
 };
 
-/// Goes on to the first t in [start, horizon] at which the gap is at most the tolerance; it is
-/// aimed at half of that, so that it is never later than the contact. \param tolerance [m] > 0, as
-/// a function of time, which does not fall
+/// Goes on to the first t in [start, horizon] at which the gap is at most the tolerance. It is
+/// aimed at half of that, so that it is never later than the contact.
+///
+/// \param tolerance [m] > 0, as a function of time, which does not fall
 template <typename Body, typename Path, typename Tolerance>
 Advance advanceToContact(const Body& body, const Path& path, const Disc& disc, double start,
                          double horizon, const Tolerance& tolerance, std::size_t max_steps) {

@@ -121,8 +121,9 @@ ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until) 
 }
 
 /// Until when the circles around the two are certainly apart; nothing when they are until `until`.
-/// Each step costs a fraction of one with all sides. \param path of the centre as seen from the
-/// footprint's, or the reverse, by one who does not turn
+/// Each step costs a fraction of one with all sides.
+///
+/// \param path of the centre as seen from the footprint's, or the reverse, by one who does not turn
 template <typename Path>
 std::optional<double> timeApart(const Polygon& footprint, const Path& path, const Disc& disc,
                                 double until) {
@@ -142,7 +143,9 @@ std::optional<double> timeApart(const Polygon& footprint, const Path& path, cons
 }
 
 /// Any other motion: advancement of the whole, from when the circles around the two touch.
-/// \param between the path for that \param path of the centre about the centroid
+///
+/// \param between the path for that, as timeApart() has it
+/// \param path of the centre about the centroid
 template <typename Between, typename Path>
 ConvexAnswer advance(const Polygon& footprint, const Between& between, const Path& path,
                      const Disc& disc, double until, double tolerance) {
