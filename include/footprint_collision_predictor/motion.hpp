@@ -54,8 +54,7 @@ class Obstacle {
   /// \param radius [m] >= 0 at t = 0; 0 is a point
   /// \param radius_rate [m/s] >= 0, by which the radius grows
   /// \param outline [m] relative to the centre, moving with it without turning: empty for a circle,
-  /// 2
-  ///     vertices for a line, more for a closed polygon in either winding
+  ///     2 vertices for a line, more for a closed polygon in either winding
   /// \throws InvalidObstacle for a value that is not finite or beyond kMaxCoordinate, kMaxRate or
   ///     kMaxRadius, for a negative radius or radius_rate, and for an outline of 1 vertex.
   Obstacle(const Motion& motion, double radius, double radius_rate = 0,

@@ -19,18 +19,17 @@ struct Outline {
   bool isClosed() const { return size > 1; }
 };
 
-/// One value for each obstacle, for what goes through all of them.
+/// What the broad phase goes through, in single precision; one value for each obstacle.
 struct ObstacleColumns {
-  std::vector<double> x, y;             ///< [m] position
-  std::vector<double> vx, vy;           ///< [m/s] velocity
-  std::vector<double> ax, ay;           ///< [m/s^2] acceleration
-  std::vector<double> radius;           ///< [m]
-  std::vector<double> radius_rate;      ///< [m/s]
-  std::vector<double> bounding_radius;  ///< [m]
+  std::vector<float> x, y;             ///< [m] position relative to the first obstacle's
+  std::vector<float> vx, vy;           ///< [m/s] velocity
+  std::vector<float> ax, ay;           ///< [m/s^2] acceleration
+  std::vector<float> bounding_radius;  ///< [m] of a circle about the position that holds it all now
+  std::vector<float> radius_rate;      ///< [m/s]
 };
 
 /// Obstacles, laid out for firstContact() and firstContacts(). Filled once for each moment; cleared
-/// and refilled with no more than before, it does not allocate. 76 bytes for each circle.
+/// and refilled with no more than before, it does not allocate. 100 bytes for each circle.
 class ObstacleBatch {
  public:
   ObstacleBatch() = default;
@@ -38,18 +37,20 @@ class ObstacleBatch {
 
   void clear();
   void add(const Obstacle& obstacle);
-  std::size_t size() const { return columns_.x.size(); }
+  std::size_t size() const { return discs_.size(); }
 
-  Disc disc(std::size_t i) const;
+  const Disc& disc(std::size_t i) const { return discs_[i]; }
   /// Relative to the disc's centre.
   Outline outline(std::size_t i) const;
-  /// [m] of the circle about the position that holds it all now
+  /// [m] of a circle about the position that holds it all now
   double boundingRadius(std::size_t i) const { return columns_.bounding_radius[i]; }
   /// [m/s^2] at least that of every obstacle
   double largestAcceleration() const { return largest_acceleration_; }
   /// Whether the radius of any obstacle grows.
   bool grows() const { return grows_; }
-  /// [m] at least as far as any obstacle gets from the origin within a time [s]
+  /// [m] where columns() has its origin
+  const Vec2& origin() const { return origin_; }
+  /// [m] at least as far as any obstacle gets from there within a time [s]
   double farthest(double horizon) const {
     return largest_coordinates_ +
            horizon * (largest_speed_ + 0.5 * horizon * largest_acceleration_);
@@ -64,6 +65,8 @@ class ObstacleBatch {
   template <typename Change>
   void changeColumns(const Change& change);
 
+  std::vector<Disc> discs_;
+  Vec2 origin_{0, 0};
   ObstacleColumns columns_;
   std::vector<std::uint32_t> outline_end_;  ///< in outline_edges_
   std::vector<Edge> outline_edges_;

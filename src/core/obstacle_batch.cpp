@@ -2,9 +2,15 @@
 
 #include <algorithm>
 
+#include "rounding.hpp"
 #include "shape.hpp"
 
 namespace footprint_collision_predictor::core {
+namespace {
+
+float notLess(double value) { return static_cast<float>((1 + kGenerousSingle) * value); }
+
+}  // namespace
 
 ObstacleBatch::ObstacleBatch(const std::vector<Obstacle>& obstacles) {
   resize(obstacles.size());
@@ -14,8 +20,8 @@ ObstacleBatch::ObstacleBatch(const std::vector<Obstacle>& obstacles) {
 template <typename Change>
 void ObstacleBatch::changeColumns(const Change& change) {
   ObstacleColumns& c = columns_;
-  for (auto* column :
-       {&c.x, &c.y, &c.vx, &c.vy, &c.ax, &c.ay, &c.radius, &c.radius_rate, &c.bounding_radius})
+  change(discs_);
+  for (auto* column : {&c.x, &c.y, &c.vx, &c.vy, &c.ax, &c.ay, &c.bounding_radius, &c.radius_rate})
     change(*column);
 }
 
@@ -39,30 +45,24 @@ void ObstacleBatch::resize(std::size_t obstacles) {
 
 void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
   const Motion& m = obstacle.motion();
+  if (i == 0) origin_ = m.position;
+  const Vec2 position = m.position - origin_;
   ObstacleColumns& c = columns_;
-  c.x[i] = m.position.x();
-  c.y[i] = m.position.y();
-  c.vx[i] = m.velocity.x();
-  c.vy[i] = m.velocity.y();
-  c.ax[i] = m.acceleration.x();
-  c.ay[i] = m.acceleration.y();
-  c.radius[i] = obstacle.radius();
-  c.radius_rate[i] = obstacle.disc().radius_rate;
-  c.bounding_radius[i] = core::boundingRadius(obstacle);
+  discs_[i] = obstacle.disc();
+  c.x[i] = static_cast<float>(position.x());
+  c.y[i] = static_cast<float>(position.y());
+  c.vx[i] = static_cast<float>(m.velocity.x());
+  c.vy[i] = static_cast<float>(m.velocity.y());
+  c.ax[i] = static_cast<float>(m.acceleration.x());
+  c.ay[i] = static_cast<float>(m.acceleration.y());
+  c.bounding_radius[i] = notLess(core::boundingRadius(obstacle));
+  c.radius_rate[i] = static_cast<float>(obstacle.disc().radius_rate);
   appendOutline(obstacle, &outline_edges_);
   outline_end_[i] = static_cast<std::uint32_t>(outline_edges_.size());
-  largest_coordinates_ = std::max(largest_coordinates_, m.position.lpNorm<1>());
+  largest_coordinates_ = std::max(largest_coordinates_, position.lpNorm<1>());
   largest_speed_ = std::max(largest_speed_, m.velocity.lpNorm<1>());
   largest_acceleration_ = std::max(largest_acceleration_, m.acceleration.lpNorm<1>());
-  grows_ = grows_ || c.radius_rate[i] > 0;
-}
-
-Disc ObstacleBatch::disc(std::size_t i) const {
-  const ObstacleColumns& c = columns_;
-  // A column of zeros is not looked into: it would have to be fetched from far away.
-  const Vec2 acceleration = largest_acceleration_ > 0 ? Vec2(c.ax[i], c.ay[i]) : Vec2(Vec2::Zero());
-  const double radius_rate = grows_ ? c.radius_rate[i] : 0;
-  return {{{c.x[i], c.y[i]}, {c.vx[i], c.vy[i]}, acceleration}, c.radius[i], radius_rate};
+  grows_ = grows_ || obstacle.disc().radius_rate > 0;
 }
 
 Outline ObstacleBatch::outline(std::size_t i) const {

@@ -15,5 +15,7 @@ constexpr double kTurningTolerance = 1e-9;
 // More than any of the quick bounds can err by, relative to the terms that are summed up: they need
 // not be tight.
 constexpr double kGenerous = 1e-12;
+// The same where they are computed in single precision.
+constexpr double kGenerousSingle = 1e-5;
 
 }  // namespace footprint_collision_predictor::core
