@@ -104,14 +104,17 @@ TEST(FootprintLaw, TheWindingChangesOnlyTheNumbers) {
 
 TEST(FootprintLaw, TheFrameOfTheBodyChangesNothing) {
   forEachCase("another frame", kScenes, [](Random& random) {
-    const Scene scene = anyScene(random, 6);
-    const Vec2 origin = random.uniform(0, 10) * random.direction();
-    const Eigen::Rotation2Dd turn(random.angle());
-    const core::Twist moved = atPoint(origin, scene.twist);
-    const Scene other = mapped(
-        scene, {turn * moved.linear, moved.angular},
-        [&](const Vec2& p) -> Vec2 { return turn * Vec2(p - origin); },
-        [&](const Vec2& v) -> Vec2 { return turn * v; });
+    Scene scene;
+    const Scene other = withFootprint([&] {
+      scene = anyScene(random, 6);
+      const Vec2 origin = random.uniform(0, 10) * random.direction();
+      const Eigen::Rotation2Dd turn(random.angle());
+      const core::Twist moved = atPoint(origin, scene.twist);
+      return mapped(
+          scene, {turn * moved.linear, moved.angular},
+          [&](const Vec2& p) -> Vec2 { return turn * Vec2(p - origin); },
+          [&](const Vec2& v) -> Vec2 { return turn * v; });
+    });
     return disagreement(scene, other);
   });
 }

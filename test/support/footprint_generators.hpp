@@ -43,6 +43,15 @@ FootprintCase inLineWithASide(Random& random);
 /// Whether it is one that Polygon takes.
 bool isFootprint(const std::vector<Vec2>& vertices);
 
+/// What make() makes, the first that has a footprint: where its vertices are moved and rounded, a
+/// tiny edge or the gap between two may be none any more.
+template <typename Make>
+auto withFootprint(const Make& make) {
+  auto made = make();
+  while (!isFootprint(made.footprint)) made = make();
+  return made;
+}
+
 /// The same outline elsewhere in the obstacle's frame, and the obstacle's position so much off.
 FootprintCase outlineToldFromAfar(const FootprintCase& c, const Vec2& by);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <sstream>
 
 #include "oracle.hpp"
@@ -113,7 +114,12 @@ void forEachCase(const std::string& suite, const SuiteSize& size,
   int failed = 0;
   for (std::size_t i = 0; i < cases && failed < 5; ++i) {
     Random random(suiteSeed(), i);
-    const std::string wrong = each(random);
+    std::string wrong;
+    try {
+      wrong = each(random);
+    } catch (const std::exception& e) {
+      wrong = std::string("thrown: ") + e.what();
+    }
     if (wrong.empty()) continue;
     ++failed;
     ADD_FAILURE() << "suite '" << suite << "', PROPERTY_SEED=" << suiteSeed() << ", case " << i
