@@ -29,7 +29,7 @@ struct ObstacleColumns {
 };
 
 /// Obstacles, laid out for firstContact() and firstContacts(). Filled once for each moment; cleared
-/// and refilled with no more than before, it does not allocate. 100 bytes for each circle.
+/// and refilled with no more than before, it does not allocate. 96 bytes for each circle.
 class ObstacleBatch {
  public:
   ObstacleBatch() = default;
@@ -62,13 +62,10 @@ class ObstacleBatch {
   void resize(std::size_t obstacles);
   void put(const Obstacle& obstacle, std::size_t i);
 
-  template <typename Change>
-  void changeColumns(const Change& change);
-
   std::vector<Disc> discs_;
   Vec2 origin_{0, 0};
   ObstacleColumns columns_;
-  std::vector<std::uint32_t> outline_end_;  ///< in outline_edges_
+  std::vector<std::uint32_t> outline_end_;  ///< in outline_edges_; none while that is empty
   std::vector<Edge> outline_edges_;
   double largest_coordinates_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;
   bool grows_ = false;

@@ -17,16 +17,8 @@ ObstacleBatch::ObstacleBatch(const std::vector<Obstacle>& obstacles) {
   for (std::size_t i = 0; i < obstacles.size(); ++i) put(obstacles[i], i);
 }
 
-template <typename Change>
-void ObstacleBatch::changeColumns(const Change& change) {
-  ObstacleColumns& c = columns_;
-  change(discs_);
-  for (auto* column : {&c.x, &c.y, &c.vx, &c.vy, &c.ax, &c.ay, &c.bounding_radius, &c.radius_rate})
-    change(*column);
-}
-
 void ObstacleBatch::clear() {
-  changeColumns([](auto& column) { column.clear(); });
+  resize(0);
   outline_end_.clear();
   outline_edges_.clear();
   largest_coordinates_ = largest_speed_ = largest_acceleration_ = 0;
@@ -39,8 +31,10 @@ void ObstacleBatch::add(const Obstacle& obstacle) {
 }
 
 void ObstacleBatch::resize(std::size_t obstacles) {
-  changeColumns([&](auto& column) { column.resize(obstacles); });
-  outline_end_.resize(obstacles);
+  discs_.resize(obstacles);
+  ObstacleColumns& c = columns_;
+  for (auto* column : {&c.x, &c.y, &c.vx, &c.vy, &c.ax, &c.ay, &c.bounding_radius, &c.radius_rate})
+    column->resize(obstacles);
 }
 
 void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
@@ -58,7 +52,10 @@ void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
   c.bounding_radius[i] = notLess(core::boundingRadius(obstacle));
   c.radius_rate[i] = static_cast<float>(obstacle.disc().radius_rate);
   appendOutline(obstacle, &outline_edges_);
-  outline_end_[i] = static_cast<std::uint32_t>(outline_edges_.size());
+  if (!outline_edges_.empty()) {
+    outline_end_.resize(i + 1);  // that of circles before the first outline is 0
+    outline_end_[i] = static_cast<std::uint32_t>(outline_edges_.size());
+  }
   largest_coordinates_ = std::max(largest_coordinates_, position.lpNorm<1>());
   largest_speed_ = std::max(largest_speed_, m.velocity.lpNorm<1>());
   largest_acceleration_ = std::max(largest_acceleration_, m.acceleration.lpNorm<1>());
@@ -66,7 +63,7 @@ void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
 }
 
 Outline ObstacleBatch::outline(std::size_t i) const {
-  if (outline_edges_.empty()) return {outline_edges_.data(), 0};
+  if (outline_edges_.empty()) return {};
   const std::size_t begin = i == 0 ? 0 : outline_end_[i - 1];
   return {outline_edges_.data() + begin, outline_end_[i] - begin};
 }
