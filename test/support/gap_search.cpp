@@ -9,6 +9,7 @@ namespace {
 constexpr Real kFinest = 0x1p-35L;     // [s] 2.9e-11: such steps bracket a contact
 constexpr Real kCoarser = 1.0L / 32;   // of the time since the first step that stayed undecided
 constexpr Real kGapPrecision = 5e-8L;  // [m]
+constexpr Real kShort = 1e-6L;         // of the lengths beside it
 
 /// A segment of the footprint and an edge of the outline.
 struct Pair {
@@ -45,20 +46,36 @@ class Search {
 
  protected:
   /// The pair's gap now, and the least it can be until `dt` before and after. The two are apart at
-  /// least as far as along the way that is shortest now, whether that turns with the footprint
-  /// (which is good for its faces) or not (for those of the outline).
+  /// least as far as along the way that is shortest now. Where that is so short beside the two that
+  /// rounding turns it, the directions across them are better.
   GapAround gapAround(const Pair& p, const OutlineNow& now, Real dt) const {
-    const Line way = shortestLine(segments_[p.segment], now.edge(p.edge));
+    const Line& segment = segments_[p.segment];
+    const Line edge = now.edge(p.edge);
+    const Line way = shortestLine(segment, edge);
     const Real distance = length(way);
     if (distance == 0) return {-now.radius, -HUGE_VALL};
-    const Point normal = (1 / distance) * (way.end - way.start);
+    Real least = leastAlong((1 / distance) * (way.end - way.start), p, now, dt);
+    if (distance < kShort * (length(segment) + length(edge)))
+      for (const Line& line : {segment, edge}) {
+        const Real l = length(line);
+        if (l == 0) continue;
+        const Point across{(line.start.y - line.end.y) / l, (line.end.x - line.start.x) / l};
+        least = std::max(least, leastAlong(across, p, now, dt));
+        least = std::max(least, leastAlong(-1 * across, p, now, dt));
+      }
+    return {distance - now.radius, least};
+  }
+
+  /// How far the two stay apart along a direction at least, whether that turns with the footprint
+  /// (which is good for its faces) or not (for those of the outline).
+  Real leastAlong(const Point& direction, const Pair& p, const OutlineNow& now, Real dt) const {
     Real turning = HUGE_VALL;
     Real fixed = HUGE_VALL;
     for (const Point& v : {now.vertices[p.edge], now.vertices[now.endOf(p.edge)]})
       for (const Point& f : {segments_[p.segment].start, segments_[p.segment].end}) {
-        const Real gap = dot(normal, v - f) - now.radius;
+        const Real gap = dot(direction, v - f) - now.radius;
         const auto least = [&](const Point& velocity, Real bend) {
-          const Real approach = std::abs(dot(normal, velocity) - outline_.radiusRate());
+          const Real approach = std::abs(dot(direction, velocity) - outline_.radiusRate());
           return gap - dt * (approach + dt * bend / 2);
         };
         turning = std::min(turning, least(outline_.seenFromFootprint(v, now.velocity),
@@ -66,7 +83,7 @@ class Search {
         fixed = std::min(
             fixed, least(outline_.seenFromGround(f, now.velocity), outline_.bendSeenFromGround(f)));
       }
-    return {distance - now.radius, std::max(turning, fixed)};
+    return std::max(turning, fixed);
   }
 
   const std::vector<Line>& segments_;

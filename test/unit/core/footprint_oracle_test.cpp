@@ -111,6 +111,14 @@ TEST(FootprintOracle, KnowsTheSmallestGap) {
   EXPECT_EQ(FootprintOracle(moving({5, 0}, {-1, 0}, 0.25)).smallestGap().gap, 0);
 }
 
+TEST(FootprintOracle, KnowsTheSmallestGapBesideALongWall) {
+  // Along (3, 4) / 5, past the lower front corner, which lies at 0.8 + 0.3 along its normal.
+  const double at = 1.1 + 5e-6;
+  const FootprintCase c =
+      moving({0.8 * at, -0.6 * at}, {3, 4}, 0, {{-60000, -80000}, {60000, 80000}});
+  EXPECT_NEAR(static_cast<double>(FootprintOracle(c).smallestGap().gap), 5e-6, 1e-7);
+}
+
 TEST(FootprintOracle, KnowsTheSignedClearance) {
   const auto clearance = [](const FootprintCase& c) {
     return static_cast<double>(FootprintOracle(c).clearance());
