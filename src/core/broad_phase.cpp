@@ -249,8 +249,9 @@ std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, st
   const double farthest = obstacles.farthest(footprint.horizon());
   for (const auto& window : footprint) {
     const Vec2 centre = (footprint.centroid() - obstacles.origin()) + window.centre;
-    const double size = farthest + centre.lpNorm<1>() + window.radius + std::abs(gap) +
-                        (1 + window.duration) * window.velocity.lpNorm<1>();
+    // Where the reach is decided within rounding it is about as large as the distance.
+    const double size =
+        farthest + centre.lpNorm<1>() + (1 + window.duration) * window.velocity.lpNorm<1>();
     const double rounding = kGenerousSingle * size + kSmallest * (1 + window.duration);
     mark_window(arrays, count, questionOf<float>(window, centre, window.radius + gap + rounding),
                 marks.data());

@@ -115,8 +115,16 @@ TEST(BroadPhase, KeepsWhatTouchesByAHair) {
     const core::Polygon footprint(scene.footprint);
     const core::ObstacleBatch batch(scene.obstacles);
     const double latest = graze.time + 1e-9 * std::max(1.0, graze.time);
-    const auto first = firstContact(footprint, scene.twist, batch, scene.horizon);
-    if (!first || first->contact.time > latest) return "footprint\n" + asCode(scene);
+    const auto isInTime = [&](const std::optional<core::FootprintContact>& contact) {
+      return contact && contact->contact.time <= latest;
+    };
+    const auto isMetAlone = [&](const core::Obstacle& obstacle) {
+      return isInTime(firstContact(footprint, scene.twist, obstacle, scene.horizon));
+    };
+    if (std::none_of(scene.obstacles.begin(), scene.obstacles.end(), isMetAlone))
+      return "alone\n" + asCode(scene);
+    if (!isInTime(firstContact(footprint, scene.twist, batch, scene.horizon)))
+      return "footprint\n" + asCode(scene);
     std::vector<std::optional<core::SegmentContact>> segments;
     firstContacts(footprint, scene.twist, batch, scene.horizon, &segments);
     const auto& touched = segments[graze.vertex];
