@@ -45,13 +45,17 @@ Vec2 nearestPoint(const Edge& edge, const Edge& other, bool do_cross) {
   return nearest;
 }
 
-/// Counts the edges to the right of p (Haines, "Point in Polygon Strategies", 1994).
-bool contains(const Outline& outline, const Vec2& p) {
+/// Whether a point lies within closed edges: counts those to the right of it (Haines, "Point in
+/// Polygon Strategies", 1994).
+/// \param from Vec2(const Vec2& vertex): where a vertex of them lies to the point
+template <typename From>
+bool contains(const Outline& edges, const From& from) {
   bool inside = false;
-  for (const Edge& edge : outline) {
-    if ((edge.start.y() > p.y()) == (edge.end.y() > p.y())) continue;
-    const bool upwards = edge.end.y() > edge.start.y();
-    const bool left_of_edge = cross(edge.end - edge.start, p - edge.start) > 0;
+  for (const Edge& edge : edges) {
+    const Vec2 start = from(edge.start), end = from(edge.end);
+    if ((start.y() > 0) == (end.y() > 0)) continue;
+    const bool upwards = end.y() > start.y();
+    const bool left_of_edge = cross(start, edge.end - edge.start) > 0;
     if (left_of_edge == upwards) inside = !inside;
   }
   return inside;
@@ -60,9 +64,15 @@ bool contains(const Outline& outline, const Vec2& p) {
 bool areNested(const Polygon& footprint, const Shape& shape) {
   const Vec2& centre = shape.disc.motion.position;
   if (shape.outline.size == 0) return footprint.contains(centre);
-  return footprint.contains(centre + shape.outline.first->start) ||
-         (shape.outline.isClosed() &&
-          contains(shape.outline, footprint.vertices().front() - centre));
+  // One from the other, so that nothing is lost where they are nearly on each other's edges.
+  const auto fromOutline = [&](const Vec2& vertex) -> Vec2 {
+    return -vertexFrom(vertex, centre, shape.outline.first->start);
+  };
+  const auto fromFootprint = [&](const Vec2& vertex) {
+    return vertexFrom(footprint.vertices().front(), centre, vertex);
+  };
+  return contains({&footprint.segment(0), footprint.size()}, fromOutline) ||
+         (shape.outline.isClosed() && contains(shape.outline, fromFootprint));
 }
 
 /// The point of the edge that is nearest to the obstacle's centre or outline, and how far off it

@@ -233,6 +233,18 @@ TEST(FoundCase, AnOutlineFarFromItsOwnPosition) {
   EXPECT_NEAR(first->contact.time, (at - to_wall) - 0.1, 1e-12);
 }
 
+// A tiny line stands within the solid, 2^-52 m from a tiny side.
+TEST(FoundCase, AnOutlineHardlyWithin) {
+  const double x = 0x1.4d6baee74bc06p+1, y = 0x1.03e5e1c8a04b4p+0;
+  FootprintCase c{};
+  c.footprint = {{-x, -y}, {x, -y}, {x, -0x1.03e5e1b4caa8bp+0}, {x, y}, {-x, y}};
+  c.disc.motion = {{0x1.4aaef0480160cp-2, -0x1.2f4d72f8b4877p+0}, {0, 0}, {0, 0}};
+  c.outline = {{0x1.2415d0de4b944p+1, 0x1.5b3c8992a6e1p-3},
+               {0x1.2415d0de4b944p+1, 0x1.5b3c89dc8da8p-3}};
+  c.horizon = 0x1.0db1a037636b5p-3;
+  expectFootprintGuarantee(c);
+}
+
 // Both move on fast together, while the footprint hardly turns.
 TEST(FoundCase, SideBySideAndHardlyTurning) {
   const double r = 0x1.08b9016453029p-2;
