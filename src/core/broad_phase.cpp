@@ -187,29 +187,6 @@ Question<Real> questionOf(const SweptFootprint::Window& window, const Vec2& cent
           static_cast<Real>(reach)};
 }
 
-}  // namespace
-
-bool isSupported(InstructionSet set) {
-  if (set == InstructionSet::kBaseline) return true;
-#ifdef __x86_64__
-  if (set == InstructionSet::kAvx2) return __builtin_cpu_supports("avx2");
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-         __builtin_cpu_supports("avx512dq");
-#else
-  return false;
-#endif
-}
-
-InstructionSet widestInstructionSet() {
-  static const InstructionSet widest =
-      isSupported(InstructionSet::kAvx512) ? InstructionSet::kAvx512
-      : isSupported(InstructionSet::kAvx2) ? InstructionSet::kAvx2
-                                           : InstructionSet::kBaseline;
-  return widest;
-}
-
-namespace {
-
 /// The indices of those that are marked. Most are not, so whole groups are passed over.
 std::size_t collect(const std::array<std::uint32_t, kBlock>& marks, std::size_t begin,
                     std::size_t count, std::array<std::size_t, kBlock>* candidates) {

@@ -20,15 +20,10 @@
 
 #include "footprint_collision_predictor/obstacle_batch.hpp"
 #include "footprint_collision_predictor/polygon.hpp"
+#include "instruction_set.hpp"
 #include "swept_footprint.hpp"
 
 namespace footprint_collision_predictor::core {
-
-enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
-
-bool isSupported(InstructionSet set);
-/// The widest that this processor supports.
-InstructionSet widestInstructionSet();
 
 constexpr std::size_t kBlock = 256;
 
