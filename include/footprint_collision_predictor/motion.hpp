@@ -64,12 +64,15 @@ class Obstacle {
   const Motion& motion() const { return disc_.motion; }
   double radius() const { return disc_.radius; }
   const std::vector<Vec2>& outline() const { return outline_; }
+  /// [m] of the circle about the position that holds it all at t = 0
+  double boundingRadius() const { return disc_.radius + farthest_vertex_; }
   /// The same obstacle `dt` [s] later, as seen from a footprint that has moved on for so long.
   Obstacle after(double dt, const Twist& footprint) const;
 
  private:
   Disc disc_;
   std::vector<Vec2> outline_;
+  double farthest_vertex_ = 0;  ///< [m] from the position
 };
 
 /// Where the frame's origin is `dt` [s] later [m], in the axes of now: along a straight line or an

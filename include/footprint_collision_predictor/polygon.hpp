@@ -67,6 +67,10 @@ class Polygon {
   /// Number of segments, which is also the number of vertices.
   std::size_t size() const { return vertices_.size(); }
   const Edge& segment(std::size_t i) const { return edges_[i]; }
+  /// The segment, or vertex, that follows i.
+  std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+  /// The segment, or vertex, before i.
+  std::size_t previous(std::size_t i) const { return (i == 0 ? size() : i) - 1; }
   /// [m^2] > 0, whatever the winding.
   double area() const;
   bool isCounterClockwise() const { return signed_area_ > 0; }

@@ -58,12 +58,11 @@ void shareVertexContacts(const Polygon& footprint,
   for (std::size_t i = 0; i < contacts->size(); ++i) {
     if (!(*contacts)[i]) continue;
     const SegmentContact& hit = *(*contacts)[i];
-    const auto neighbour = neighbourAt(hit.contact.feature, i, contacts->size());
-    if (!neighbour) continue;
-    auto& other = (*contacts)[*neighbour];
+    const std::size_t neighbour = neighbourAt(footprint, hit.contact.feature, i);
+    auto& other = (*contacts)[neighbour];
     if (other && other->contact.time <= hit.contact.time) continue;
     other = hit;
-    other->contact.feature = featureOf(footprint.segment(*neighbour), hit.contact.point);
+    other->contact.feature = featureOf(footprint.segment(neighbour), hit.contact.point);
   }
 }
 

@@ -3,75 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "path.hpp"
+#include "chord.hpp"
 #include "rounding.hpp"
 
 namespace footprint_collision_predictor::core {
 namespace {
-
-/// An obstacle about the footprint's circle within a window: a point that moves straight, and how
-/// near [m] to the origin it touches. Plain numbers, several of which share a register.
-template <typename Real>
-struct Chord {
-  Real px, py, vx, vy, reach;
-};
-
-/// Square of a reach, for comparisons: nothing is within a negative one, which is that of a gap
-/// that only overlaps can have.
-template <typename Real>
-[[gnu::always_inline]] inline Real squared(Real reach) {
-  return reach * std::abs(reach);
-}
-
-/// By where the point is nearest.
-[[gnu::always_inline]] inline bool mayTouch(const Chord<float>& c, float duration) {
-  const float nearest = -(c.px * c.vx + c.py * c.vy) / (c.vx * c.vx + c.vy * c.vy);
-  const float from_now = nearest > 0 ? nearest : 0;  // also for NaN: it stands still
-  const float t = from_now < duration ? from_now : duration;
-  const float x = c.px + t * c.vx, y = c.py + t * c.vy;
-  return x * x + y * y <= squared(c.reach);
-}
-
-/// By the ends of the way and, where it passes between them, how far away its line does: without a
-/// division, which is quicker for a single one. With an allowance for rounding.
-[[gnu::always_inline]] inline bool mayTouchWithoutDivision(const Chord<double>& c,
-                                                           double duration) {
-  const double ex = c.px + duration * c.vx, ey = c.py + duration * c.vy;
-  const double p2 = c.px * c.px + c.py * c.py, e2 = ex * ex + ey * ey;
-  const double reach2 = squared(c.reach) + kGenerous * (p2 + e2);
-  const double cross = c.px * c.vy - c.py * c.vx;
-  const bool at_the_ends = (p2 <= reach2) | (e2 <= reach2);
-  const bool between = (c.px * c.vx + c.py * c.vy <= 0) & (ex * c.vx + ey * c.vy >= 0) &
-                       (cross * cross <= reach2 * (c.vx * c.vx + c.vy * c.vy));
-  return at_the_ends | between;
-}
-
-/// By the sign of a quadratic. The reach grows at a rate [m/s].
-[[gnu::always_inline]] inline bool mayTouchGrowing(const Chord<double>& c, double rate,
-                                                   double duration) {
-  // |p + v t|^2 - (reach + rate t)^2 = f + 2 h t + m t^2, and its discriminant as a sum of squares
-  // of cross products, which does not cancel far away.
-  const double p2 = c.px * c.px + c.py * c.py;
-  const double reach2 = c.reach * c.reach;
-  const double f = p2 - reach2;
-  const double h = c.px * c.vx + c.py * c.vy - c.reach * rate;
-  const double m = c.vx * c.vx + c.vy * c.vy - rate * rate;
-  const double speeds = c.vx * c.vx + c.vy * c.vy + rate * rate;
-  const double cross = c.px * c.vy - c.py * c.vx;
-  const double x = c.reach * c.vx - rate * c.px, y = c.reach * c.vy - rate * c.py;
-  const double discriminant = x * x + y * y - cross * cross;
-  const double at_end = f + duration * (2 * h + duration * m);
-  const double size = kGenerous * (p2 + reach2);
-  const double rounding = size + kGenerous * duration * duration * speeds;
-  const bool at_the_ends = (f <= rounding) | (at_end <= rounding);
-  const bool between = (h <= 0) & (h + m * duration >= 0) & (discriminant >= -size * speeds);
-  return (at_the_ends | between) & (c.reach >= 0);
-}
-
-/// For a single one.
-[[gnu::always_inline]] inline bool mayTouch(const Chord<double>& c, double rate, double duration) {
-  return rate == 0 ? mayTouchWithoutDivision(c, duration) : mayTouchGrowing(c, rate, duration);
-}
 
 struct Arrays {
   const float *x, *y, *vx, *vy, *ax, *ay, *radius, *radius_rate;
@@ -116,7 +52,7 @@ template <Simple kSimple>
     const float x = a.x[i] - q.x, y = a.y[i] - q.y;
     const float reach = a.radius[i] + q.reach;
     if constexpr (kSimple == Simple::kNow) return x * x + y * y <= squared(reach);
-    return mayTouch({x, y, a.vx[i] - q.vx, a.vy[i] - q.vy, reach}, q.duration);
+    return mayTouch(Chord<float>{x, y, a.vx[i] - q.vx, a.vy[i] - q.vy, reach}, q.duration);
   }
   const Moving<float> o{a.x[i],  a.y[i],  a.vx[i],     a.vy[i],
                         a.ax[i], a.ay[i], a.radius[i], a.radius_rate[i]};
@@ -252,43 +188,6 @@ bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc
     return mayTouch(chordOf(obstacle, question), disc.radius_rate, window.duration);
   };
   return std::any_of(footprint.begin(), footprint.end(), may_touch);
-}
-
-namespace {
-
-/// By a single window.
-[[gnu::noinline]] bool mayTouchBent(const Polygon& footprint, const Twist& twist, const Disc& disc,
-                                    double bounding_radius, double horizon) {
-  const Motion& m = disc.motion;
-  const Vec2 p = m.position - footprint.centroid();
-  Vec2 own = twist.linear;
-  double acceleration = m.acceleration.lpNorm<1>();
-  double rounding = kGenerous * footprint.boundingRadius();
-  if (twist.angular != 0) {
-    own = atPoint(footprint.centroid(), twist).linear;
-    acceleration += std::abs(twist.angular) * own.norm();
-    own = Turn(twist.angular * horizon).displacement(own);
-    rounding += kGenerous * std::abs(twist.angular) * horizon * footprint.centroid().lpNorm<1>() +
-                kGenerous * horizon * own.norm() + kTurningTolerance;
-  }
-  const Vec2 v = m.velocity - own + 0.5 * horizon * m.acceleration;
-  const double bulge = 0.125 * horizon * horizon * acceleration;
-  const double reach = bounding_radius + footprint.boundingRadius() + bulge + rounding;
-  const Chord<double> chord{p.x(), p.y(), v.x(), v.y(), reach};
-  return mayTouch(chord, disc.radius_rate, horizon);
-}
-
-}  // namespace
-
-bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
-              double bounding_radius, double horizon) {
-  const Motion& m = disc.motion;
-  if (twist.angular != 0 || m.acceleration.x() != 0 || m.acceleration.y() != 0)
-    return mayTouchBent(footprint, twist, disc, bounding_radius, horizon);
-  const Vec2 p = m.position - footprint.centroid();
-  const Vec2 v = m.velocity - twist.linear;
-  const double reach = bounding_radius + footprint.boundingRadius();
-  return mayTouch({p.x(), p.y(), v.x(), v.y(), reach}, disc.radius_rate, horizon);
 }
 
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius) {

@@ -39,11 +39,7 @@ std::size_t findCandidates(const ObstacleBatch& obstacles, std::size_t begin, st
 bool mayComeWithin(double gap, const SweptFootprint& footprint, const Disc& disc,
                    double bounding_radius);
 
-/// Whether a single obstacle may touch the footprint.
-bool mayTouch(const Polygon& footprint, const Twist& twist, const Disc& disc,
-              double bounding_radius, double horizon);
-
-/// The same question for now alone.
+/// For a single one now.
 bool mayComeWithin(double gap, const Polygon& footprint, const Disc& disc, double bounding_radius);
 
 }  // namespace footprint_collision_predictor::core

@@ -15,9 +15,9 @@ const ConvexAnswer kUncertain{false, std::nullopt};
 const ConvexAnswer kNever{true, std::nullopt};
 
 /// Whether vertex i is what is nearest to a point outside: beyond both sides that meet there.
-bool isNearest(const Sides& sides, std::size_t i, const Vec2& p) {
-  const std::size_t n = sides.offset.size();
-  const std::size_t before = (i + n - 1) % n;
+bool isNearest(const Polygon& footprint, std::size_t i, const Vec2& p) {
+  const Sides& sides = footprint.sides();
+  const std::size_t before = footprint.previous(i);
   return sides.along(i, p) <= 0 && sides.along(before, p) >= sides.length[before];
 }
 
@@ -38,44 +38,50 @@ StraightDisc straightDisc(const Polygon& footprint, const Disc& disc) {
   return {p, v, disc.radius + half, disc.radius_rate + half_rate, half, half_rate};
 }
 
-/// Where the way of the centre runs through all sides moved out by the radius.
-struct Passage {
-  double enter;      ///< [s] -1 when it starts within
-  double leave;      ///< [s]
-  std::size_t side;  ///< through which it enters
+/// Where the way of the centre has come through all sides moved out by the radius.
+struct Entry {
+  double time;       ///< [s] negative when it starts within
+  std::size_t side;  ///< through which it comes last
 };
 
 /// Clipping after Cyrus and Beck (1978); the sides move out as the disc grows. Without branches,
 /// for what they decide is different for each side.
-Passage passageOf(const StraightDisc& disc, const Sides& sides, double horizon) {
+Entry entryOf(const StraightDisc& disc, const Sides& sides) {
   const double* normal_x = sides.normal_x.data();
   const double* normal_y = sides.normal_y.data();
   const double* offset = sides.offset.data();
   const double px = disc.p.x(), py = disc.p.y(), vx = disc.v.x(), vy = disc.v.y();
-  Passage passage{-1, horizon, 0};
+  Entry entry{-1, 0};
   for (std::size_t begin = 0; begin < sides.offset.size(); begin += kSidesAtOnce) {
     const std::size_t count = std::min(kSidesAtOnce, sides.offset.size() - begin);
-    double enter[kSidesAtOnce], leave[kSidesAtOnce];
+    double times[kSidesAtOnce];
     for (std::size_t i = 0; i < count; ++i) {
       const double x = normal_x[begin + i], y = normal_y[begin + i];
       const double gap = x * px + y * py - offset[begin + i] - disc.reach;
       const double closing = disc.rate - (x * vx + y * vy);
-      const double t = gap / closing;
-      const double reached = closing > 0 ? t : HUGE_VAL;  // never, when it does not close
-      const double left = closing < 0 ? t : HUGE_VAL;
-      enter[i] = gap > 0 ? reached : -1;
-      leave[i] = gap > 0 ? HUGE_VAL : left;
+      times[i] = gap / (closing > 0 ? closing : 0);  // never, when a gap does not close
     }
-    const double entered = passage.enter;
+    double latest = entry.time;
+    for (std::size_t i = 0; i < count; ++i) latest = std::max(latest, times[i]);  // not NaN
+    if (latest == entry.time) continue;
+    std::size_t place = 0, is_before = 1;
     for (std::size_t i = 0; i < count; ++i) {
-      passage.enter = std::max(passage.enter, enter[i]);
-      passage.leave = std::min(passage.leave, leave[i]);
+      is_before &= times[i] >= latest ? 0U : 1U;
+      place += is_before;
     }
-    if (passage.enter > entered)
-      passage.side =
-          begin + static_cast<std::size_t>(std::find(enter, enter + count, passage.enter) - enter);
+    entry = {latest, begin + place};
   }
-  return passage;
+  return entry;
+}
+
+/// Whether the way of the centre has run out through some side before a time.
+bool leavesBefore(double time, const StraightDisc& disc, const Sides& sides) {
+  for (std::size_t i = 0; i < sides.offset.size(); ++i) {
+    const double gap = sides.across(i, disc.p) - disc.reach;
+    const double closing = disc.rate - sides.normal(i).dot(disc.v);
+    if (gap <= 0 && gap > closing * time) return true;
+  }
+  return false;
 }
 
 /// \param from_centroid a place [m]
@@ -95,20 +101,21 @@ std::size_t nearestVertex(const Polygon& footprint, const Vec2& from_centroid) {
 ConvexAnswer clip(const Polygon& footprint, const Disc& relative, double until) {
   const Sides& sides = footprint.sides();
   const StraightDisc disc = straightDisc(footprint, relative);
-  const Passage passage = passageOf(disc, sides, until);
-  if (passage.enter > passage.leave) return kNever;
-  std::size_t vertex = 0;
-  if (passage.enter >= 0) {
-    const std::size_t i = passage.side;
-    const double along = sides.along(i, disc.p + passage.enter * disc.v);
-    if (along >= 0 && along <= sides.length[i])
+  const auto [enter, side] = entryOf(disc, sides);
+  if (enter > until) return kNever;
+  std::size_t vertex = side;
+  if (enter >= 0) {
+    const double along = sides.along(side, disc.p + enter * disc.v);
+    if (along >= 0 && along <= sides.length[side])
       return {true,
-              FirstTouch{contactAt(footprint.segment(i), along, passage.enter, disc.rounding), i}};
-    vertex = along < 0 ? i : (i + 1) % footprint.size();
+              FirstTouch{contactAt(footprint.segment(side), along, enter, disc.rounding), side}};
+    if (along > 0) vertex = footprint.next(side);
   } else {
     vertex = nearestVertex(footprint, disc.p);
   }
-  if (!isNearest(sides, vertex, disc.p + std::max(passage.enter, 0.0) * disc.v)) return kUncertain;
+  const double start = std::max(enter, 0.0);
+  if (!isNearest(footprint, vertex, disc.p + start * disc.v))
+    return leavesBefore(start, disc, sides) ? kNever : kUncertain;
   const Edge& edge = footprint.segment(vertex);
   const Vec2 q = disc.p - (edge.start - footprint.centroid());
   if (const auto time = timeToReach(q, disc.v, disc.reach, disc.rate, until))

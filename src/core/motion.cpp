@@ -1,5 +1,6 @@
 #include "footprint_collision_predictor/motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -40,7 +41,10 @@ Obstacle::Obstacle(const Motion& motion, double radius, double radius_rate,
   requireWithin("acceleration", motion.acceleration, kMaxRate);
   requireWithin("radius", "", radius, 0, kMaxRadius);
   requireWithin("radius_rate", "", radius_rate, 0, kMaxRate);
-  for (const Vec2& vertex : outline_) requireWithin("outline", vertex, kMaxCoordinate);
+  for (const Vec2& vertex : outline_) {
+    requireWithin("outline", vertex, kMaxCoordinate);
+    farthest_vertex_ = std::max(farthest_vertex_, vertex.norm());
+  }
   if (outline_.size() == 1)
     throw InvalidObstacle(
         "outline has 1 vertex; allowed are none for a circle, 2 for a line, or more for a polygon");
@@ -62,6 +66,7 @@ Vec2 displacement(const Twist& twist, double dt) {
 }
 
 Twist atPoint(const Vec2& point, const Twist& twist) {
+  if (twist.angular == 0) return twist;
   // Rounded once: far from the origin these cancel.
   return {{std::fma(-twist.angular, point.y(), twist.linear.x()),
            std::fma(twist.angular, point.x(), twist.linear.y())},

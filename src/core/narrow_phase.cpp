@@ -25,30 +25,33 @@ Vec2 pointOf(const Edge& edge, Feature feature, const Vec2& from_start) {
 double closingSpeed(const Polygon& footprint, const Twist& twist, const Shape& shape,
                     const FootprintContact& first, bool is_nested) {
   const Contact& contact = first.contact;
-  // From the contact, so that nothing is lost far from the origin.
-  Shape local = shape;
-  local.disc.motion.position -= contact.point;
   const Twist at_contact = atPoint(contact.point, twist);
+  const double t = contact.time;
+  const Turn turn(twist.angular * t);
+  const Vec2 velocity = turn.back(shape.disc.motion.velocityAt(t)) - at_contact.linear;
+  if (contact.feature == Feature::kInside && !is_nested) {
+    const Vec2 left = leftNormal(footprint.segment(first.segment).tangent);
+    return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
+  }
+  // From the contact, so that nothing is lost far from the origin.
+  const Disc disc = relativeTo(contact.point, shape.disc);
+  const Vec2 way = turn.displacement(t * at_contact.linear);
+  const Vec2 centre = turn.back(disc.motion.positionAt(t) - way);
   std::optional<Vec2> outline_direction;
-  const Vec2 away = nearestOf(local, at_contact, contact.time, {0, 0}, &outline_direction);
-  const Vec2 velocity =
-      Turn(twist.angular * contact.time).back(local.disc.motion.velocityAt(contact.time)) -
-      at_contact.linear;
-  const StraightPath path(relativeMotion(local.disc.motion, at_contact));
+  const Vec2 away = shape.outline.size == 0
+                        ? centre
+                        : nearestToOrigin(shape.outline, turn, centre, &outline_direction);
+  const StraightPath path(relativeMotion(disc.motion, at_contact));
   double size = 2 * footprint.boundingRadius();
   for (const Edge& edge : shape.outline)
     size = std::max(size, edge.start.lpNorm<1>() + edge.end.lpNorm<1>());
-  const double rounding = kRoundingAllowance * (path.sizeAt(contact.time) + size);
+  const double rounding = kRoundingAllowance * (path.sizeAt(t) + size);
   const double nothing = 4 * rounding + (twist.angular != 0 ? 2 * kTurningTolerance : 0);
   const double distance = away.norm();
   if (distance > nothing)
     return std::max(0.0, velocity.dot(away) / (is_nested ? distance : -distance));
   // What has no radius touches with its centre or outline. An edge has its normal; a vertex has
   // many, of which the one against the velocity is the worst.
-  if (contact.feature == Feature::kInside) {
-    const Vec2 left = leftNormal(footprint.segment(first.segment).tangent);
-    return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
-  }
   if (outline_direction) return std::abs(cross(*outline_direction, velocity));
   return velocity.norm();
 }
@@ -213,19 +216,18 @@ FootprintContact contactNow(const Polygon& footprint, const Twist& twist, const 
 FootprintContact contactLater(const Polygon& footprint, const Twist& twist, const Shape& shape,
                               const FirstTouch& touch) {
   FootprintContact first{touch.contact, touch.segment, 0, 0};
-  const auto neighbour = neighbourAt(touch.contact.feature, touch.segment, footprint.size());
-  if (neighbour && *neighbour < touch.segment) {
-    first.segment = *neighbour;
-    first.contact.feature = featureOf(footprint.segment(*neighbour), touch.contact.point);
+  const std::size_t neighbour = neighbourAt(footprint, touch.contact.feature, touch.segment);
+  if (neighbour < touch.segment) {
+    first.segment = neighbour;
+    first.contact.feature = featureOf(footprint.segment(neighbour), touch.contact.point);
   }
   first.closing_speed = closingSpeed(footprint, twist, shape, first, false);
   return first;
 }
 
-std::optional<std::size_t> neighbourAt(Feature feature, std::size_t segment, std::size_t size) {
-  if (feature == Feature::kStart) return (segment + size - 1) % size;
-  if (feature == Feature::kEnd) return (segment + 1) % size;
-  return std::nullopt;
+std::size_t neighbourAt(const Polygon& footprint, Feature feature, std::size_t segment) {
+  if (feature == Feature::kStart) return footprint.previous(segment);
+  return feature == Feature::kEnd ? footprint.next(segment) : segment;
 }
 
 }  // namespace footprint_collision_predictor::core

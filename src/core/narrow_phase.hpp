@@ -50,7 +50,7 @@ FootprintContact contactNow(const Polygon& footprint, const Twist& twist, const 
 FootprintContact contactLater(const Polygon& footprint, const Twist& twist, const Shape& shape,
                               const FirstTouch& touch);
 
-/// The other segment at the vertex that a contact names; nothing when it is inside of its segment.
-std::optional<std::size_t> neighbourAt(Feature feature, std::size_t segment, std::size_t size);
+/// The other segment at the vertex that a contact names; the same one when it is inside of it.
+std::size_t neighbourAt(const Polygon& footprint, Feature feature, std::size_t segment);
 
 }  // namespace footprint_collision_predictor::core

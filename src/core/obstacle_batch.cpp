@@ -49,7 +49,7 @@ void ObstacleBatch::put(const Obstacle& obstacle, std::size_t i) {
   c.vy[i] = static_cast<float>(m.velocity.y());
   c.ax[i] = static_cast<float>(m.acceleration.x());
   c.ay[i] = static_cast<float>(m.acceleration.y());
-  c.bounding_radius[i] = notLess(core::boundingRadius(obstacle));
+  c.bounding_radius[i] = notLess(obstacle.boundingRadius());
   c.radius_rate[i] = static_cast<float>(obstacle.disc().radius_rate);
   appendOutline(obstacle, &outline_edges_);
   if (!outline_edges_.empty()) {

@@ -26,37 +26,7 @@ std::optional<FootprintContact> firstOf(
   return contact;
 }
 
-/// With an obstacle that may touch. Apart, so that those that cannot are soon done with.
-[[gnu::noinline]] std::optional<FootprintContact> firstContactOf(const Polygon& footprint,
-                                                                 const Twist& twist,
-                                                                 const Obstacle& obstacle,
-                                                                 double bounding_radius,
-                                                                 double horizon) {
-  std::vector<Edge> edges;
-  appendOutline(obstacle, &edges);
-  const Shape shape{obstacle.disc(), {edges.data(), edges.size()}};
-  if (mayComeWithin(0, footprint, shape.disc, bounding_radius)) {
-    const Nearest nearest = nearestNow(footprint, shape);
-    if (nearest.gap <= 0) return contactNow(footprint, twist, shape, nearest);
-  }
-  if (!footprint.isConvex() || shape.outline.size > 0) {
-    // Segment by segment takes long; circles before a convex footprint have their own quick look.
-    const SweptFootprint swept(footprint, twist, horizon, obstacle.motion().acceleration.norm());
-    if (!mayComeWithin(0, swept, shape.disc, bounding_radius)) return std::nullopt;
-  }
-  const auto touch = firstTouch(footprint, twist, shape, horizon, horizon);
-  if (!touch) return std::nullopt;
-  return contactLater(footprint, twist, shape, *touch);
-}
-
 }  // namespace
-
-std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
-                                             const Obstacle& obstacle, double horizon) {
-  const double bounding_radius = boundingRadius(obstacle);
-  if (!mayTouch(footprint, twist, obstacle.disc(), bounding_radius, horizon)) return std::nullopt;
-  return firstContactOf(footprint, twist, obstacle, bounding_radius, horizon);
-}
 
 std::optional<FootprintContact> firstContact(const Polygon& footprint, const Twist& twist,
                                              const ObstacleBatch& obstacles, double horizon) {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "edge_contact.hpp"
-#include "path.hpp"
 #include "rounding.hpp"
 
 namespace footprint_collision_predictor::core {
@@ -103,12 +102,6 @@ Near nearTo(const Edge& edge, const Shape& shape) {
 
 }  // namespace
 
-double farthestVertex(const Obstacle& obstacle) {
-  double farthest = 0;
-  for (const Vec2& vertex : obstacle.outline()) farthest = std::max(farthest, vertex.norm());
-  return farthest;
-}
-
 void appendOutline(const Obstacle& obstacle, std::vector<Edge>* edges) {
   const std::vector<Vec2>& vertices = obstacle.outline();
   if (vertices.size() < 2) return;
@@ -143,18 +136,14 @@ std::optional<Vec2> touchNow(const Edge& edge, const Shape& shape) {
   return touches ? std::make_optional(nearest.point) : std::nullopt;
 }
 
-Vec2 nearestOf(const Shape& shape, const Twist& footprint, double dt, const Vec2& p,
-               std::optional<Vec2>* edge_direction) {
-  const Turn turn(footprint.angular * dt);
-  const Vec2 centre =
-      turn.back(shape.disc.motion.positionAt(dt) - turn.displacement(dt * footprint.linear));
-  if (shape.outline.size == 0) return centre;
+Vec2 nearestToOrigin(const Outline& outline, const Turn& turn, const Vec2& centre,
+                     std::optional<Vec2>* edge_direction) {
   // In the axes of the outline, about its centre.
-  const Vec2 local = turn(p - centre);
-  Vec2 nearest = shape.outline.first->start;
-  for (const Edge& edge : shape.outline) {
-    const Vec2 point = closestPoint(edge, local);
-    if ((point - local).norm() > (nearest - local).norm()) continue;
+  const Vec2 origin = turn(-centre);
+  Vec2 nearest = outline.first->start;
+  for (const Edge& edge : outline) {
+    const Vec2 point = closestPoint(edge, origin);
+    if ((point - origin).norm() > (nearest - origin).norm()) continue;
     nearest = point;
     *edge_direction = featureOf(edge, point) == Feature::kInside
                           ? std::make_optional(turn.back(edge.tangent))

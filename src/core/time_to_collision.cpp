@@ -224,7 +224,8 @@ std::optional<double> timeToReach(const Vec2& position, const Vec2& velocity, do
                                   double reach_rate, double horizon) {
   if (position.norm() <= reach) return 0;
   const auto time = stepTowards(position, velocity, {0, 0}, reach, reach_rate, horizon);
-  return time && *time <= horizon ? time : std::nullopt;
+  if (!time || *time > horizon) return std::nullopt;
+  return *time;
 }
 
 Contact contactAt(const Edge& edge, double along, double t, double slack) {
