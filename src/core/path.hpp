@@ -29,16 +29,19 @@ class Turn {
   }
 
   Vec2 operator()(const Vec2& v) const {
+    if (half_ == 0) return v;
     return {cosine_ * v.x() - sine_ * v.y(), sine_ * v.x() + cosine_ * v.y()};
   }
   Vec2 back(const Vec2& v) const {
+    if (half_ == 0) return v;
     return {cosine_ * v.x() + sine_ * v.y(), cosine_ * v.y() - sine_ * v.x()};
   }
   /// Where something comes that moves on by `way` [m] while it makes this turn evenly. The mean
   /// direction is that of half the turn, and the chord is shorter than the arc by sin(x) / x: no
   /// difference of near numbers, however small the turn.
   Vec2 displacement(const Vec2& way) const {
-    const double shortening = half_sine_ == 0 ? 1 : half_sine_ / half_;
+    if (half_ == 0) return way;
+    const double shortening = half_sine_ / half_;
     return {shortening * (half_cosine_ * way.x() - half_sine_ * way.y()),
             shortening * (half_sine_ * way.x() + half_cosine_ * way.y())};
   }
