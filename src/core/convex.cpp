@@ -38,7 +38,7 @@ StraightDisc straightDisc(const Polygon& footprint, const Disc& disc) {
   return {p, v, disc.radius + half, disc.radius_rate + half_rate, half, half_rate};
 }
 
-/// Where the way of the centre has come through all sides moved out by the radius.
+/// When the way of the centre has come through all sides moved out by the radius.
 struct Entry {
   double time;       ///< [s] negative when it starts within
   std::size_t side;  ///< through which it comes last
@@ -62,7 +62,8 @@ Entry entryOf(const StraightDisc& disc, const Sides& sides) {
       times[i] = gap / (closing > 0 ? closing : 0);  // never, when a gap does not close
     }
     double latest = entry.time;
-    for (std::size_t i = 0; i < count; ++i) latest = std::max(latest, times[i]);  // not NaN
+    // Passes over NaN, which is that of a way along the side just within reach.
+    for (std::size_t i = 0; i < count; ++i) latest = std::max(latest, times[i]);
     if (latest == entry.time) continue;
     std::size_t place = 0, is_before = 1;
     for (std::size_t i = 0; i < count; ++i) {
