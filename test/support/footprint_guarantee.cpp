@@ -26,7 +26,8 @@ class Examination {
         oracle_(c),
         footprint_(c.footprint),
         within_(oracle_.isWithinNow()),
-        touch_(oracle_.firstTouch()) {
+        touches_(oracle_.firstTouchOfEachSegment()),
+        touch_(oracle_.firstTouch(touches_)) {
     wrong_.precision(17);
   }
 
@@ -79,7 +80,7 @@ class Examination {
 
   void examineSegment(std::size_t i, const std::optional<core::SegmentContact>& contact) {
     const std::string name = "segment " + std::to_string(i);
-    examineTime(name, oracle_.firstTouchOfSegment(i), contact ? &contact->contact : nullptr);
+    examineTime(name, touches_[i], contact ? &contact->contact : nullptr);
     if (contact) examinePlace(name, i, contact->contact, 0);
   }
 
@@ -178,7 +179,8 @@ class Examination {
   FootprintOracle oracle_;
   core::Polygon footprint_;
   bool within_;
-  FirstTouch touch_;
+  std::vector<FirstTouch> touches_;  // of each segment
+  FirstTouch touch_;                 // of the footprint
   std::ostringstream wrong_;
 };
 

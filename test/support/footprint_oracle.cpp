@@ -35,10 +35,10 @@ std::vector<Line> segmentsOf(const std::vector<Vec2>& vertices, const Point& ori
 }  // namespace
 
 FootprintOracle::FootprintOracle(const FootprintCase& c)
-    : origin_(c.twist.angular == 0 ? point(c.footprint[0]) : Point{0, 0}),
+    : case_(c),
+      origin_(c.twist.angular == 0 ? point(c.footprint[0]) : Point{0, 0}),
       segments_(segmentsOf(c.footprint, origin_)),
-      outline_(c, origin_),
-      horizon_(c.horizon) {}
+      outline_(c, origin_) {}
 
 Real FootprintOracle::gap(Real t) const { return gapAt(t, segments_, outline_); }
 
@@ -74,18 +74,35 @@ Real FootprintOracle::clearance() const {
   return (isWithinNow() ? -distance : distance) - radius;
 }
 
-FirstTouch FootprintOracle::firstTouch() const {
-  if (isWithinNow()) return {0, 0};
-  return findFirstTouch(segments_, outline_, horizon_);
+FirstTouch FootprintOracle::firstTouchOfSegment(std::size_t segment) const {
+  const Line& line = segments_[segment];
+  if (case_.twist.angular != 0) return findFirstTouch({line}, outline_, case_.horizon);
+  // From its own start: where a tiny segment hardly moves, 64 bits from another one's are short.
+  const Line from_start{{0, 0}, line.end - line.start};
+  const MovingOutline outline(case_, line.start + origin_);
+  return findFirstTouch({from_start}, outline, case_.horizon);
 }
 
-FirstTouch FootprintOracle::firstTouchOfSegment(std::size_t segment) const {
-  return findFirstTouch({segments_[segment]}, outline_, horizon_);
+std::vector<FirstTouch> FootprintOracle::firstTouchOfEachSegment() const {
+  std::vector<FirstTouch> touches;
+  for (std::size_t i = 0; i < segments_.size(); ++i) touches.push_back(firstTouchOfSegment(i));
+  return touches;
+}
+
+FirstTouch FootprintOracle::firstTouch(const std::vector<FirstTouch>& of_segments) const {
+  if (isWithinNow()) return {0, 0};
+  FirstTouch first{case_.horizon, std::nullopt};
+  for (const FirstTouch& touch : of_segments) {
+    first.free_until = std::min(first.free_until, touch.free_until);
+    if (touch.contact_at)
+      first.contact_at = std::min(first.contact_at.value_or(case_.horizon), *touch.contact_at);
+  }
+  return first;
 }
 
 SmallestGap FootprintOracle::smallestGap() const {
   if (isWithinNow()) return {0, 0};
-  const SmallestGap found = findSmallestGap(segments_, outline_, horizon_);
+  const SmallestGap found = findSmallestGap(segments_, outline_, case_.horizon);
   return {std::max(Real(0), found.gap), found.time};
 }
 

@@ -26,17 +26,20 @@ class FootprintOracle {
   /// Signed gap now: negative where one is inside the other.
   Real clearance() const;
 
-  /// Of the solid footprint.
-  FirstTouch firstTouch() const;
   /// Of one segment with the obstacle's boundary.
   FirstTouch firstTouchOfSegment(std::size_t segment) const;
+  std::vector<FirstTouch> firstTouchOfEachSegment() const;
+  /// Of the solid footprint.
+  FirstTouch firstTouch() const { return firstTouch(firstTouchOfEachSegment()); }
+  /// The same where those of the segments are known.
+  FirstTouch firstTouch(const std::vector<FirstTouch>& of_segments) const;
   SmallestGap smallestGap() const;
 
  private:
+  FootprintCase case_;
   Point origin_;  // far from the frame's origin even 64 bits would be short
   std::vector<Line> segments_;
   MovingOutline outline_;
-  Real horizon_;
 };
 
 }  // namespace footprint_collision_predictor::test
