@@ -21,6 +21,12 @@ Vec2 pointOf(const Edge& edge, Feature feature, const Vec2& from_start) {
   return feature == Feature::kEnd ? edge.end : Vec2(edge.start + from_start);
 }
 
+/// Speed [m/s] across a side into the footprint; 0 when it leads out.
+double speedInwards(const Polygon& footprint, std::size_t segment, const Vec2& velocity) {
+  const Vec2 left = leftNormal(footprint.segment(segment).tangent);
+  return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
+}
+
 /// Speed at which the gap shrinks at the contact [m/s], but for the radius' growth.
 double closingSpeed(const Polygon& footprint, const Twist& twist, const Shape& shape,
                     const FootprintContact& first, bool is_nested) {
@@ -29,10 +35,8 @@ double closingSpeed(const Polygon& footprint, const Twist& twist, const Shape& s
   const double t = contact.time;
   const Turn turn(twist.angular * t);
   const Vec2 velocity = turn.back(shape.disc.motion.velocityAt(t)) - at_contact.linear;
-  if (contact.feature == Feature::kInside && !is_nested) {
-    const Vec2 left = leftNormal(footprint.segment(first.segment).tangent);
-    return std::max(0.0, velocity.dot(left) * (footprint.isCounterClockwise() ? 1 : -1));
-  }
+  const bool is_at_side = contact.feature == Feature::kInside;
+  if (is_at_side && !is_nested) return speedInwards(footprint, first.segment, velocity);
   // From the contact, so that nothing is lost far from the origin.
   const Disc disc = relativeTo(contact.point, shape.disc);
   const Vec2 way = turn.displacement(t * at_contact.linear);
@@ -52,6 +56,7 @@ double closingSpeed(const Polygon& footprint, const Twist& twist, const Shape& s
     return std::max(0.0, velocity.dot(away) / (is_nested ? distance : -distance));
   // What has no radius touches with its centre or outline. An edge has its normal; a vertex has
   // many, of which the one against the velocity is the worst.
+  if (is_at_side) return speedInwards(footprint, first.segment, velocity);
   if (outline_direction) return std::abs(cross(*outline_direction, velocity));
   return velocity.norm();
 }

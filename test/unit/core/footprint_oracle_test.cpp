@@ -101,6 +101,29 @@ TEST(FootprintOracle, KnowsEachSegment) {
               1e-15);
 }
 
+TEST(FootprintOracle, KnowsATinySegment) {
+  // 7 nm long; a line that is nearly in line with it slides along it. The time was computed with
+  // rational numbers.
+  const FootprintCase c{
+      {{0x1.ff8f3913056c5p-4, 0x1.27e8acdf18987p-5},
+       {0x1.bf1d8b7057209p-5, 0x1.7ffcfc351e848p-4},
+       {-0x1.7df54ec80bd81p-5, 0x1.c2fa1bc30d4eap-4},
+       {-0x1.8f01a87dde36ap-4, 0x1.cc9c6d5aa47c1p-7},
+       {-0x1.b584373095b35p-6, -0x1.0f602be136611p-6},
+       {-0x1.b58435c6d7299p-6, -0x1.0f6033bd3a6e7p-6},
+       {-0x1.a4de2704ac785p-8, -0x1.08f3d8844bbdbp-3},
+       {0x1.2ba776e764c22p-5, -0x1.2e95a319a1635p-6}},
+      {},
+      {{{0x1.b5fb0ba03af8dp-3, -0x1.432aba449eee2p+0},
+        {-0x1.634016a5364b6p-10, 0x1.edf962366b87bp-8},
+        {0, 0}},
+       0,
+       0},
+      {{-0x1.ecab91e7e8d9p-3, 0x1.3eed3926fa95ap+0}, {-0x1.ecab91963b42p-3, 0x1.3eed38ee313c2p+0}},
+      3};
+  expectTouch(FootprintOracle(c).firstTouchOfSegment(4), 3.1585339858348076e-06);
+}
+
 TEST(FootprintOracle, KnowsTheSmallestGap) {
   const SmallestGap passing = FootprintOracle(moving({5, 2}, {-1, 0}, 0.25)).smallestGap();
   EXPECT_NEAR(static_cast<double>(passing.gap), 1.25, 1e-7);

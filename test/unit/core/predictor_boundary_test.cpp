@@ -32,6 +32,16 @@ TEST(OnTheBoundary, APointThatLeavesDoesNotClose) {
   }
 }
 
+TEST(OnTheBoundary, APointThatSlidesAlongDoesNotClose) {
+  for (const bool reversed : {false, true})
+    for (const double beside : {0.0, 0x1p-50, -0x1p-50}) {  // by no more than rounding
+      const FootprintContact first =
+          firstContact({{{1 + beside, 0.25}, {0, 3}, {0, 0}}, 0}, reversed);
+      EXPECT_EQ(first.contact.time, 0);
+      EXPECT_EQ(first.closing_speed, 0);
+    }
+}
+
 TEST(OnTheBoundary, APointClosesOnAVertexWithAllItsSpeed) {
   const FootprintContact first = firstContact({{{4, 4.5}, {-3, -4}, {0, 0}}, 0});
   EXPECT_NEAR(first.contact.time, 1, 1e-9);
