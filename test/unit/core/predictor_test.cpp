@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <string>
 
 #include "random.hpp"
@@ -73,6 +74,24 @@ TEST(Predict, OneThatFallsFromAbove) {
   EXPECT_NEAR(first->contact.time, 2, 1e-9);
   EXPECT_EQ(first->segment, 2u);
   EXPECT_NEAR(first->closing_speed, 2, 1e-9);
+}
+
+TEST(Predict, TurningAcceleratingOrGrowingByOneBringsTheContact) {
+  // Each of them is out of reach of what goes on as it does now.
+  const auto expect = [](const Twist& twist, const Obstacle& obstacle, double time) {
+    const Polygon footprint(kBox);
+    const auto alone = firstContact(footprint, twist, obstacle, 10);
+    const auto in_batch = firstContact(footprint, twist, ObstacleBatch({obstacle}), 10);
+    ASSERT_TRUE(alone && in_batch);
+    EXPECT_NEAR(alone->contact.time, time, 1e-8);
+    EXPECT_EQ(in_batch->contact.time, alone->contact.time);
+  };
+  // Round (0, 1), from which the front reaches a post 1.5 m off with its point at (1, 1 -
+  // sqrt(1.25)).
+  expect({{1, 0}, 1}, {{{0, 2.5}, {0, 0}, {0, 0}}, 0}, M_PI / 2 + std::atan(std::sqrt(1.25)));
+  expect({}, {{{-4, 0}, {0, 0}, {1, 0}}, 0.25}, std::sqrt(5.5));   // 2.75 m
+  expect({}, {{{0, -3.25}, {0, 0}, {0, 1}}, 0.25}, std::sqrt(5));  // 2.5 m
+  expect({}, {{{4, 0}, {0, 0}, {0, 0}}, 0.5, 1}, 2.5);
 }
 
 TEST(Predict, WithoutObstaclesNothingIsKnownToTouch) {
