@@ -85,7 +85,8 @@ core::Obstacle anyGrazing(const Graze& graze, Random& random) {
   const Vec2 out = turn * vertex.normalized();
   const double reach = size * random.logUniform(1e-3, 10);
   const double rate = random.chance(0.5) ? 0 : random.uniform(0, 0.9 * reach / t);
-  const double speed = random.sign() * std::min(size / t * random.logUniform(1e-2, 1e2), kFastest);
+  const double fastest = std::min(kFastest, kFarthest / t);
+  const double speed = random.sign() * std::min(size / t * random.logUniform(1e-2, 1e6), fastest);
   double bend = 0;
   if (random.chance(0.5))
     bend = std::min(size / (t * t) * random.logUniform(1e-6, 1), kFastest / std::max(t, 1.0));
