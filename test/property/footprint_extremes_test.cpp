@@ -27,7 +27,7 @@ void runMovedSuite(const std::string& suite, const std::function<FootprintCase(R
 TEST(FootprintExtremes, LargeAndSmallFastAndSlow) {
   runMovedSuite("footprint scaled", [](Random& random) {
     const FootprintCase c = anyKind(random, false);
-    const double length = random.logUniform(1e-3, 1e3);
+    const double length = random.logUniform(1e-7, 1e3);
     // So long that speeds and accelerations stay within the limits of an Obstacle.
     const double shortest = std::max(1e-3 * std::max(1.0, length), std::sqrt(1e-5 * length));
     return scaled(c, length, random.logUniform(shortest, 1e3));
