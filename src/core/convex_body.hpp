@@ -31,7 +31,10 @@ class ConvexBody {
         smallest = squares[i] < smallest ? squares[i] : smallest;
       }
     }
-    if (smallest == HUGE_VAL) return {{0, 0}, 0, outermost(p)};
+    if (sides_.across(nearest, p) <= 0) {  // as that of an acute vertex may be
+      const std::size_t side = outermost(p);
+      if (isBehind(side, p)) return {{0, 0}, 0, side};  // within
+    }
     // Where rounding has chosen a neighbour, of a short side even a farther one, it leads on from
     // there.
     const std::size_t n = sides_.offset.size();
@@ -57,6 +60,12 @@ class ConvexBody {
     const double before = along < 0 ? along : 0;
     const double after = along > length ? along - length : 0;
     return before + after;
+  }
+
+  /// Between its ends. Beyond an acute vertex rounding may tell what is behind neither side there.
+  bool isBehind(std::size_t side, const Vec2& p) const {
+    return sides_.across(side, p) <= 0 &&
+           beyondEnd(sides_.along(side, p), sides_.length[side]) == 0;
   }
 
   Vec2 direction(std::size_t side) const {

@@ -259,6 +259,23 @@ TEST(FoundCase, SideBySideAndHardlyTurning) {
   expectFootprintGuarantee(c);
 }
 
+// A wall's end lies within a sliver by 4e-18 m. Of the side that it is not behind, since it is
+// beyond the ends of that, it is far away.
+TEST(FoundCase, HardlyWithinASliver) {
+  FootprintCase c{{{0, 0},
+                   {-0x1.cde7d96888018p-1, 0x1.fcef0869a4a4p-1},
+                   {-0x1.9c1bca821f36dp-1, 0x1.b4dbaebe40919p-1}},
+                  {{0, 0}, 0x1.fc18687a97827p-14},
+                  {{{0x1.7bf5cb3a29d43p-6, 0x1.fe08393ec03cbp-6}, {0, 0}, {0, 0}}, 0, 0},
+                  {{0x1.6960efb0d1828p-2, -0x1.54212205821bdp-2},
+                   {-0x1.6960efb0d1828p-2, 0x1.54212205821bdp-2}},
+                  0.125};
+  expectFootprintGuarantee(c);
+  c.twist.angular = 0;
+  c.disc.motion.acceleration = {1e-6, 1e-6};
+  expectFootprintGuarantee(c);
+}
+
 // Thousands of rounds about a pillar, 1e-5 m from it: the allowance for rounding must not grow so.
 TEST(FoundCase, ManyRoundsAboutAPillar) {
   const core::Polygon footprint({{-0.5, -2}, {0.5, -2}, {0.5, -1}, {-0.5, -1}});
