@@ -31,10 +31,6 @@ class ConvexBody {
         smallest = squares[i] < smallest ? squares[i] : smallest;
       }
     }
-    if (sides_.across(nearest, p) <= 0) {  // as that of an acute vertex may be
-      const std::size_t side = outermost(p);
-      if (isBehind(side, p)) return {{0, 0}, 0, side};  // within
-    }
     // Where rounding has chosen a neighbour, of a short side even a farther one, it leads on from
     // there.
     const std::size_t n = sides_.offset.size();
@@ -52,7 +48,9 @@ class ConvexBody {
       previous = nearest;
       nearest = other;
     }
-    return {sides_.across(nearest, p) * sides_.normal(nearest), 0, nearest};
+    const double across = sides_.across(nearest, p);
+    if (across <= 0) return {{0, 0}, 0, nextTo(p)};  // within
+    return {across * sides_.normal(nearest), 0, nearest};
   }
 
  private:
@@ -62,21 +60,20 @@ class ConvexBody {
     return before + after;
   }
 
-  /// Between its ends. Beyond an acute vertex rounding may tell what is behind neither side there.
-  bool isBehind(std::size_t side, const Vec2& p) const {
-    return sides_.across(side, p) <= 0 &&
-           beyondEnd(sides_.along(side, p), sides_.length[side]) == 0;
-  }
-
   Vec2 direction(std::size_t side) const {
     return sides_.winding * leftNormal(sides_.normal(side));
   }
 
-  /// The side that a point within is least behind.
-  std::size_t outermost(const Vec2& p) const {
+  /// The side that a point within is nearest to.
+  std::size_t nextTo(const Vec2& p) const {
+    const auto squareTo = [&](std::size_t side) {
+      const double across = sides_.across(side, p);
+      const double beyond = beyondEnd(sides_.along(side, p), sides_.length[side]);
+      return across * across + beyond * beyond;
+    };
     std::size_t side = 0;
     for (std::size_t i = 1; i < sides_.offset.size(); ++i)
-      if (sides_.across(i, p) > sides_.across(side, p)) side = i;
+      if (squareTo(i) < squareTo(side)) side = i;
     return side;
   }
 

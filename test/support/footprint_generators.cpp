@@ -85,6 +85,19 @@ double anyRadius(Random& random, bool needed) {
   return random.chance(needed ? 0.1 : 0.4) ? 0 : random.logUniform(1e-2, 5);
 }
 
+struct Side {
+  core::Edge edge;
+  Vec2 outwards;
+};
+
+Side anySide(const std::vector<Vec2>& vertices, Random& random) {
+  const core::Polygon footprint(vertices);
+  const int last = static_cast<int>(footprint.size()) - 1;
+  const core::Edge& edge = footprint.segment(static_cast<std::size_t>(random.integer(0, last)));
+  const Vec2 left = core::leftNormal(edge.tangent);
+  return {edge, footprint.isCounterClockwise() ? Vec2(-left) : left};
+}
+
 Vec2 anyAcceleration(Random& random) { return random.logUniform(1e-6, 5) * random.direction(); }
 
 /// Without the disc's motion.
@@ -200,11 +213,7 @@ FootprintCase sinkingFootprint(Random& random, const Moves& moves) {
   if (random.chance(0.5)) c.disc.radius = 0;
   const Vec2 acceleration = moves.accelerates ? anyAcceleration(random) : Vec2(0, 0);
   const double when = random.uniform(0, 1) * c.horizon;
-  const core::Polygon footprint(c.footprint);
-  const int last = static_cast<int>(footprint.size()) - 1;
-  const core::Edge& side = footprint.segment(static_cast<std::size_t>(random.integer(0, last)));
-  const Vec2 outwards =
-      core::leftNormal(footprint.isCounterClockwise() ? Vec2(-side.tangent) : side.tangent);
+  const auto [side, outwards] = anySide(c.footprint, random);
   const Sinking way = anySinking(side, outwards, random);
   const Vec2 velocity = random.logUniform(1e-3, 10) * way.direction + c.disc.radius_rate * outwards;
   c.disc.motion = motionThrough(way.point + c.disc.radiusAt(when) * outwards, way.point, velocity,
@@ -212,12 +221,31 @@ FootprintCase sinkingFootprint(Random& random, const Moves& moves) {
   return c;
 }
 
+FootprintCase touchingSideNow(Random& random) {
+  FootprintCase c = anyShapes(random, {false, random.chance(0.2), random.chance(0.6), false});
+  if (random.chance(0.5)) c.footprint = anySliver(random, random.logUniform(1e-2, 10));
+  if (random.chance(0.6)) c.disc.radius = 0;
+  const auto [side, outwards] = anySide(c.footprint, random);
+  const double beside = random.chance(0.3) ? 0 : random.sign() * random.logUniform(1e-20, 1e-12);
+  const Vec2 place =
+      side.start + random.uniform(0, 1) * side.length * side.tangent + beside * outwards;
+  if (random.chance(0.5)) {
+    const Vec2 from_position = random.uniform(0, 1) * random.direction();
+    const Vec2 way = random.logUniform(1e-3, 3) * (outwards + random.uniform(-2, 2) * side.tangent);
+    c.outline = {from_position, from_position + way};
+  }
+  const Vec2 position =
+      place + c.disc.radius * outwards - (c.outline.empty() ? Vec2(0, 0) : c.outline.front());
+  if (random.chance(0.5)) c.twist.linear.setZero();
+  const Vec2 velocity = random.chance(0.5) ? Vec2(0, 0) : anyAcceleration(random);
+  c.disc.motion = {position, velocity, random.chance(0.5) ? Vec2(0, 0) : anyAcceleration(random)};
+  return c;
+}
+
 FootprintCase inLineWithASide(Random& random) {
   FootprintCase c = anyShapes(random, {});
   if (random.chance(0.7)) c.disc.radius = 0;
-  const core::Polygon footprint(c.footprint);
-  const int last = static_cast<int>(footprint.size()) - 1;
-  const core::Edge& side = footprint.segment(static_cast<std::size_t>(random.integer(0, last)));
+  const core::Edge side = anySide(c.footprint, random).edge;
   const auto onLine = [&](double share) {
     return Vec2(side.start + share * side.length * side.tangent);
   };

@@ -36,6 +36,10 @@ FootprintCase grazingFootprint(Random& random, const Moves& moves);
 /// has no outline.
 FootprintCase sinkingFootprint(Random& random, const Moves& moves);
 
+/// A circle, a point or the end of a line is on a side now, but for up to 1e-12 m within or
+/// without. Every other footprint is a sliver.
+FootprintCase touchingSideNow(Random& random);
+
 /// An edge of the outline is on one line with a side, but for rounding, and overlaps it or not; it
 /// stands or slides along it.
 FootprintCase inLineWithASide(Random& random);
